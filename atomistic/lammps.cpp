@@ -1,0 +1,219 @@
+#include "atomistic/lammps.hpp"
+
+#include <mpi.h>
+#define LAMMPS_LIB_MPI
+#include <fmt/format.h>
+#include <library.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace atomistic {
+namespace {
+
+/// LAMMPS's own `nktv2p` of metal units (bar per eV/Å³): undoes exactly what its pressure compute applied.
+constexpr double lammps_bar = 1.6021765e6;
+
+enum class Order : int { evaluate, evaluate_fresh, stop };
+
+double seconds() {
+  using clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(clock::now().time_since_epoch()).count();
+}
+
+void* open_lammps(const std::string& log_file) {
+  std::vector<std::string> words = {"validate-atoms", "-log", log_file, "-screen", "none", "-nocite"};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  return lammps_open(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD, nullptr);
+}
+
+std::string with_file(std::string line, const std::string& file) {
+  if (const auto at = line.find("{file}"); at != std::string::npos) line.replace(at, 6, file);
+  return line;
+}
+
+}  // namespace
+
+MpiSession::MpiSession(int* argc, char*** argv) { MPI_Init(argc, argv); }
+MpiSession::~MpiSession() { MPI_Finalize(); }
+int MpiSession::rank() const {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank;
+}
+int MpiSession::ranks() const {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  return ranks;
+}
+void MpiSession::abort(int code) {
+  MPI_Abort(MPI_COMM_WORLD, code);
+  std::abort();
+}
+
+int lammps_release() {
+  void* lammps = open_lammps("none");
+  const int version = lammps ? lammps_version(lammps) : 0;
+  if (lammps) lammps_close(lammps);
+  return version;
+}
+
+struct ForceField::Instance {
+  void* lammps = nullptr;
+  int rank = 0;
+  int atoms = 0;
+  Box box;
+  bool cell_changed = true;  ///< also true before the first run
+  ForceTiming timing;
+  Eigen::VectorXd local;  ///< this rank's share of the forces, in creation order
+
+  void command(const std::string& line) {
+    lammps_command(lammps, line.c_str());
+    check();
+  }
+
+  /// Libraries built with exceptions (not Debian's) report errors here.
+  void check() const {
+    if (!lammps_config_has_exceptions() || !lammps_has_error(lammps)) return;
+    char text[512] = {};
+    lammps_get_last_error_message(lammps, text, sizeof text);
+    throw std::runtime_error(text);
+  }
+
+  void open(const std::string& log_file) {
+    lammps = open_lammps(log_file);
+    if (!lammps) throw std::runtime_error("LAMMPS did not start; see " + log_file);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  }
+
+  void create(const Eigen::VectorXd& positions) {
+    atoms = static_cast<int>(positions.size()) / 3;
+    std::vector<int> ids(atoms), types(atoms, 1);
+    std::iota(ids.begin(), ids.end(), 1);
+    if (lammps_create_atoms(lammps, atoms, ids.data(), types.data(), positions.data(), nullptr, nullptr, 0) !=
+        atoms)
+      throw std::runtime_error("LAMMPS did not take all atoms: some lie outside the box");
+    check();
+    local.resize(positions.size());
+  }
+
+  /// Writes this rank's atoms; the order of LAMMPS's arrays changes when atoms change ranks, so go by id.
+  void put(const Eigen::VectorXd& positions) {
+    const int own = *static_cast<int*>(lammps_extract_global(lammps, "nlocal"));
+    const auto* id = static_cast<int*>(lammps_extract_atom(lammps, "id"));
+    auto** x = static_cast<double**>(lammps_extract_atom(lammps, "x"));
+    for (int i = 0; i < own; ++i) Eigen::Map<Eigen::Vector3d>{x[i]} = positions.segment<3>(3 * (id[i] - 1));
+  }
+
+  void collect_forces(Eigen::VectorXd& forces) {
+    const int own = *static_cast<int*>(lammps_extract_global(lammps, "nlocal"));
+    const auto* id = static_cast<int*>(lammps_extract_atom(lammps, "id"));
+    auto** f = static_cast<double**>(lammps_extract_atom(lammps, "f"));
+    local.setZero();
+    for (int i = 0; i < own; ++i) local.segment<3>(3 * (id[i] - 1)) = Eigen::Map<Eigen::Vector3d>{f[i]};
+    forces.resize(rank == 0 ? local.size() : 0);
+    MPI_Reduce(local.data(), forces.data(), static_cast<int>(local.size()), MPI_DOUBLE, MPI_SUM, 0,
+               MPI_COMM_WORLD);
+  }
+
+  /// The part that all ranks do together.
+  double compute(Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
+    const double start = seconds();
+    positions.resize(3 * atoms);
+    MPI_Bcast(positions.data(), static_cast<int>(positions.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    put(positions);
+    command(fresh ? "run 0 post no" : "run 1 pre no post no");
+    collect_forces(forces);
+    const double energy = lammps_get_thermo(lammps, "pe");
+    ++timing.calls;
+    (fresh ? timing.setup_s : timing.force_s) += seconds() - start;
+    return energy;
+  }
+};
+
+ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::VectorXd& positions,
+                       const std::string& log_file)
+    : instance_(std::make_unique<Instance>()) {
+  const double start = seconds();
+  Instance& in = *instance_;
+  in.box = box;
+  in.open(log_file);
+  in.command("units metal");
+  in.command("atom_style atomic");
+  in.command("atom_modify map array sort 0 0");  // creation order is kept, and a resumed run sums alike
+  in.command(box.periodic ? "boundary p p f" : "boundary f f f");
+  if (!box.periodic) in.command("processors * * 1");  // the sheet is flat: no cuts across z
+  in.command("box tilt large");
+  in.command(fmt::format("region cell prism {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} 0 0",
+                         box.low.x(), box.high.x(), box.low.y(), box.high.y(), box.low.z(), box.high.z(),
+                         box.tilt_xy));
+  in.command("create_box 1 cell");
+  in.command(fmt::format("mass 1 {:.17g}", potential.mass));
+  in.command("pair_style " + potential.pair_style);
+  for (const std::string& line : potential.pair_coeff)
+    in.command("pair_coeff " + with_file(line, potential.file));
+  in.command("neighbor 0.5 bin");
+  in.command("neigh_modify every 1 delay 0 check yes");
+  in.command("thermo_style custom step pe pxx pyy pxy");
+  in.command("thermo_modify norm no lost error format float %.15g");
+  in.create(positions);
+  in.timing.setup_s += seconds() - start;
+}
+
+ForceField::~ForceField() {
+  if (!instance_->lammps) return;
+  if (instance_->rank == 0) {
+    Order order = Order::stop;
+    MPI_Bcast(&order, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  }
+  lammps_close(instance_->lammps);
+}
+
+double ForceField::evaluate(const Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
+  if (!positions.allFinite()) throw std::runtime_error("positions are not finite; LAMMPS was not asked");
+  fresh = std::exchange(instance_->cell_changed, false) || fresh;
+  Order order = fresh ? Order::evaluate_fresh : Order::evaluate;
+  MPI_Bcast(&order, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  Eigen::VectorXd sent = positions;
+  const double energy = instance_->compute(sent, forces, fresh);
+  if (!std::isfinite(energy) || !forces.allFinite())
+    throw std::runtime_error("LAMMPS returned an energy or a force that is not finite");
+  return energy;
+}
+
+void ForceField::serve() {
+  Eigen::VectorXd positions, forces;
+  for (;;) {
+    Order order = Order::stop;
+    MPI_Bcast(&order, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    if (order == Order::stop) return;
+    instance_->compute(positions, forces, order == Order::evaluate_fresh);
+  }
+}
+
+void ForceField::set_box(const Box& box) {
+  instance_->box = box;
+  instance_->command(
+      fmt::format("change_box all x final {:.17g} {:.17g} y final {:.17g} {:.17g} xy final {:.17g} units box",
+                  box.low.x(), box.high.x(), box.low.y(), box.high.y(), box.tilt_xy));
+  instance_->cell_changed = true;
+}
+
+Eigen::Matrix2d ForceField::membrane_force() const {
+  const auto pressure = [&](const char* name) { return lammps_get_thermo(instance_->lammps, name); };
+  const double height = instance_->box.high.z() - instance_->box.low.z();
+  Eigen::Matrix2d p;
+  p << pressure("pxx"), pressure("pxy"), pressure("pxy"), pressure("pyy");
+  return -p * height / lammps_bar;
+}
+
+const ForceTiming& ForceField::timing() const { return instance_->timing; }
+
+
+}  // namespace atomistic

@@ -1,0 +1,73 @@
+// LAMMPS as a function from positions to energy and forces. The only place that knows its library interface.
+//
+// Debian's LAMMPS is built without exceptions: an error inside it ends the process with its message in the
+// log.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "atomistic/problem.hpp"
+
+namespace atomistic {
+
+/// The periodic cell, or the box that holds an isolated sheet.
+struct Box {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = Eigen::Vector3d::Zero();
+  double tilt_xy = 0;
+  bool periodic = false;  ///< in the plane; never along z
+};
+
+struct ForceTiming {
+  long calls = 0;
+  double force_s = 0;  ///< pair, neighbour, communication
+  double setup_s = 0;  ///< creating the atoms, and the set-up runs with their first force computation
+};
+
+/// MPI, for the process's life. Holds what the ranks other than 0 need: they serve force computations only.
+class MpiSession {
+ public:
+  MpiSession(int* argc, char*** argv);
+  ~MpiSession();
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
+  int rank() const;
+  int ranks() const;
+  [[noreturn]] static void abort(int code);  ///< ends every rank
+};
+
+/// LAMMPS's release date as a number, 20210929. All ranks call it.
+int lammps_release();
+
+/// One LAMMPS instance with a fixed set of carbon atoms. All ranks construct it; rank 0 then calls
+/// evaluate(), the others serve() until rank 0's object is destroyed. Positions and forces are 3N vectors in
+/// creation order, valid on rank 0.
+class ForceField {
+ public:
+  ForceField(const Potential& potential, const Box& box, const Eigen::VectorXd& positions,
+             const std::string& log_file);
+  ~ForceField();
+  ForceField(const ForceField&) = delete;
+  ForceField& operator=(const ForceField&) = delete;
+
+  /// Potential energy (eV); forces in eV/Å. `fresh` rebuilds the neighbour list first, so that the result
+  /// depends on the positions alone.
+  double evaluate(const Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh = false);
+
+  /// Changes a periodic cell; the next evaluation is fresh. One rank only.
+  void set_box(const Box& box);
+
+  /// In-plane virial stress times the box height, N_ij (eV/Å²; tension positive), of the last evaluation.
+  Eigen::Matrix2d membrane_force() const;
+
+  /// Answers rank 0's evaluations; returns when rank 0 has destroyed its object.
+  void serve();
+
+  const ForceTiming& timing() const;
+ private:
+  struct Instance;
+  std::unique_ptr<Instance> instance_;
+};
+
+}  // namespace atomistic

@@ -1,0 +1,44 @@
+#include "atomistic/predictor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atomistic {
+
+using Eigen::VectorXd;
+
+VectorXd first_guess(const Sheet& sheet, double depth_A) {
+  VectorXd u = VectorXd::Zero(3 * sheet.free_atoms);
+  for (int i = 0; i < sheet.free_atoms; ++i) {
+    const double r = std::min(1.0, sheet.position(i).head<2>().norm() / sheet.radius_A);
+    u[3 * i + 2] = -depth_A * (1 - std::pow(r, 2.0 / 3.0));
+  }
+  return u;
+}
+
+namespace {
+
+VectorXd scaled(const PathState& state, double t) {
+  const double s = t / state.t;
+  VectorXd u = s * s * state.displacement;
+  for (Eigen::Index z = 2; z < u.size(); z += 3) u[z] = s * state.displacement[z];
+  return u;
+}
+
+}  // namespace
+
+VectorXd extrapolate(const std::vector<PathState>& states, double t) {
+  const std::size_t n = states.size();
+  if (n == 1) return scaled(states[0], t);
+  const std::size_t first = n >= 3 ? n - 3 : 0;  // Lagrange through the newest two or three
+  VectorXd u = VectorXd::Zero(states.back().displacement.size());
+  for (std::size_t i = first; i < n; ++i) {
+    double weight = 1;
+    for (std::size_t j = first; j < n; ++j)
+      if (j != i) weight *= (t - states[j].t) / (states[i].t - states[j].t);
+    u += weight * states[i].displacement;
+  }
+  return u;
+}
+
+}  // namespace atomistic

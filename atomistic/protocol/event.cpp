@@ -1,0 +1,51 @@
+#include "atomistic/protocol/event.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+#include "atomistic/protocol/json.hpp"
+
+namespace atomistic {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StartEvent, lammps_version, ranks)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CardEvent, card)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgressEvent, level, evaluations, max_force_eV_per_A)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StepEvent, level, file)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndEvent, report)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorEvent, message)
+
+namespace {
+
+/// In the order of the variant's alternatives.
+constexpr std::array<std::string_view, std::variant_size_v<Event>> names = {"start", "card", "progress",
+                                                                            "step",  "end",  "error"};
+
+template <std::size_t index = 0>
+Event read_alternative(std::string_view name, const nlohmann::json& j) {
+  if constexpr (index < names.size()) {
+    if (name == names[index]) return j.get<std::variant_alternative_t<index, Event>>();
+    return read_alternative<index + 1>(name, j);
+  } else {
+    throw std::runtime_error("unknown event");
+  }
+}
+
+}  // namespace
+
+std::string to_line(const Event& event) {
+  nlohmann::json j = std::visit([](const auto& e) { return nlohmann::json(e); }, event);
+  j["event"] = names[event.index()];
+  return j.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Event event_from_line(const std::string& line) {
+  try {
+    const auto j = nlohmann::json::parse(line);
+    return read_alternative(j.at("event").get<std::string>(), j);
+  } catch (const nlohmann::json::exception& e) {
+    throw std::runtime_error(std::string("not an event: ") + e.what());
+  }
+}
+
+}  // namespace atomistic

@@ -1,0 +1,139 @@
+#include "atomistic/protocol/step_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace atomistic {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The fixed part of the file; the three vectors follow as doubles. `magic` names the layout and its version.
+struct Header {
+  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '1'};
+  std::int64_t level, converged, evaluations, factorisations;
+  double depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
+  std::int64_t positions, forces, factorised_at;  ///< lengths
+};
+
+Header header_of(const Step& s) {
+  Header h{};
+  std::memcpy(h.magic, Header{}.magic, sizeof h.magic);
+  h.level = s.level;
+  h.converged = s.converged;
+  h.evaluations = s.evaluations;
+  h.factorisations = s.factorisations;
+  h.depth = s.depth_A;
+  h.conjugate_depth = s.conjugate_depth_A;
+  h.force = s.force_eV_per_A;
+  h.energy = s.energy_eV;
+  h.max_force = s.max_force_eV_per_A;
+  h.balance = s.balance_relative;
+  h.force_error = s.force_error_relative;
+  h.longest_bond = s.longest_bond_A;
+  h.positions = s.positions.size();
+  h.forces = s.forces.size();
+  h.factorised_at = s.factorised_at.size();
+  return h;
+}
+
+Step step_of(const Header& h) {
+  Step s;
+  s.level = static_cast<int>(h.level);
+  s.converged = h.converged != 0;
+  s.evaluations = static_cast<int>(h.evaluations);
+  s.factorisations = static_cast<int>(h.factorisations);
+  s.depth_A = h.depth;
+  s.conjugate_depth_A = h.conjugate_depth;
+  s.force_eV_per_A = h.force;
+  s.energy_eV = h.energy;
+  s.max_force_eV_per_A = h.max_force;
+  s.balance_relative = h.balance;
+  s.force_error_relative = h.force_error;
+  s.longest_bond_A = h.longest_bond;
+  s.positions.resize(h.positions);
+  s.forces.resize(h.forces);
+  s.factorised_at.resize(h.factorised_at);
+  return s;
+}
+
+[[noreturn]] void fail(const fs::path& file) {
+  throw std::system_error(errno, std::generic_category(), "cannot write " + file.string());
+}
+
+void write_all(int descriptor, const void* data, std::size_t size, const fs::path& file) {
+  const char* at = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t written = ::write(descriptor, at, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(file);
+    at += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+}  // namespace
+
+fs::path step_file_name(int level) { return fmt::format("step-{:04d}.bin", level); }
+
+void write_step(const Step& step, const fs::path& folder) {
+  const fs::path final_name = folder / step_file_name(step.level);
+  const fs::path temporary = final_name.string() + ".part";
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(temporary);
+  try {
+    const Header header = header_of(step);
+    write_all(descriptor, &header, sizeof header, temporary);
+    for (const Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at})
+      write_all(descriptor, v->data(), sizeof(double) * static_cast<std::size_t>(v->size()), temporary);
+    if (::fsync(descriptor) != 0) fail(temporary);
+  } catch (...) {
+    ::close(descriptor);
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  ::close(descriptor);
+  if (::rename(temporary.c_str(), final_name.c_str()) != 0) fail(final_name);
+}
+
+Step read_step(const fs::path& file) {
+  const auto broken = [&](const char* why) { return std::runtime_error(file.string() + ": " + why); };
+  std::ifstream in(file, std::ios::binary);
+  Header header{};
+  if (!in.read(reinterpret_cast<char*>(&header), sizeof header))
+    throw broken("not a step file, or cut short");
+  if (std::memcmp(header.magic, Header{}.magic, sizeof header.magic) != 0) throw broken("not a step file");
+  const std::uintmax_t doubles =
+      static_cast<std::uintmax_t>(header.positions + header.forces + header.factorised_at);
+  if (header.positions < 0 || header.forces < 0 || header.factorised_at < 0 ||
+      fs::file_size(file) != sizeof header + sizeof(double) * doubles)
+    throw broken("a step file of the wrong length");
+  Step step = step_of(header);
+  for (Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at})
+    if (!in.read(reinterpret_cast<char*>(v->data()),
+                 static_cast<std::streamsize>(sizeof(double)) * v->size()))
+      throw broken("cut short");
+  return step;
+}
+
+std::vector<Step> read_finished_steps(const fs::path& folder) {
+  std::vector<Step> steps;
+  for (int level = 0; fs::exists(folder / step_file_name(level)); ++level)
+    steps.push_back(read_step(folder / step_file_name(level)));
+  return steps;
+}
+
+std::optional<Step> read_last_step(const fs::path& folder) {
+  int level = 0;
+  while (fs::exists(folder / step_file_name(level))) ++level;
+  return level > 0 ? std::optional(read_step(folder / step_file_name(level - 1))) : std::nullopt;
+}
+
+}  // namespace atomistic

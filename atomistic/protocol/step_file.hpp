@@ -1,0 +1,28 @@
+// One finished level as a binary file: all that a later level or a resumed run uses.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "atomistic/problem.hpp"
+
+namespace atomistic {
+
+/// `step-0007.bin` for level 7.
+std::filesystem::path step_file_name(int level);
+
+/// Written beside its final name, synchronised with the disk, renamed. Throws std::system_error with the
+/// file's name.
+void write_step(const Step& step, const std::filesystem::path& folder);
+
+/// Throws std::runtime_error naming the file if it is not a complete step.
+Step read_step(const std::filesystem::path& file);
+
+/// The levels 0, 1, 2, … that the folder holds without a gap.
+std::vector<Step> read_finished_steps(const std::filesystem::path& folder);
+
+/// The last of them, if there is any.
+std::optional<Step> read_last_step(const std::filesystem::path& folder);
+
+}  // namespace atomistic

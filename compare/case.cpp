@@ -1,0 +1,152 @@
+#include "compare/case.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "compare/errors.hpp"
+
+namespace compare {
+namespace {
+
+constexpr double depth_max_of_radius = 0.22;
+constexpr int most_levels = 10000;
+
+// Bounds of an atomistic sheet. The lattice constant is that of graphene, since the card is not known yet.
+constexpr double lattice_constant_A = 2.46;
+constexpr double smallest_atomistic_radius_A = 3 * lattice_constant_A;
+constexpr double smallest_atomistic_tip_A = 1.5;      // just holds the central hexagon
+constexpr double largest_atomistic_radius_A = 3000;   // 10.8 million atoms
+constexpr double memory_warning_radius_A = 500;       // about 3 GiB for the preconditioner's factor
+constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
+
+bool has_load(const Case& c, std::string_view load) {
+  return std::find(c.loads.begin(), c.loads.end(), load) != c.loads.end();
+}
+
+void check_loads(const Case& c, const Origins& origins) {
+  if (c.loads.empty()) throw bad_input("{}: at least one load is needed", label_of(origins, "loads"));
+  for (auto load = c.loads.begin(); load != c.loads.end(); ++load) {
+    if (std::find(c.loads.begin(), load, *load) != load) {
+      throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), *load);
+    }
+  }
+  if (has_load(c, "disc") && !(c.tip_radius_A < c.radius_A)) {
+    throw bad_input("{}: a tip of {} Å is wider than the sheet; it must be below the radius, {} Å",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, c.radius_A);
+  }
+}
+
+void check_given_constants(const Case& c, const Origins& origins) {
+  const std::pair<std::string_view, bool> constants[] = {
+      {"E", c.E_eV_per_A3.has_value()}, {"thickness", c.thickness_A.has_value()}, {"nu", c.nu.has_value()}};
+  std::string given, missing;
+  for (const auto& [name, is_given] : constants) {
+    std::string& list = is_given ? given : missing;
+    list += (list.empty() ? "" : ", ") + (is_given ? label_of(origins, name) : std::string(name));
+  }
+  if (given.empty()) return;
+  if (!missing.empty()) {
+    throw bad_input("{}: a membrane with given constants needs E, thickness and nu; missing: {}", given,
+                    missing);
+  }
+  if (c.models != "membrane") {
+    throw bad_input("{}: given constants describe a membrane alone: add --models membrane ({} is '{}')",
+                    given, label_of(origins, "models"), c.models);
+  }
+}
+
+void check_lattice(const Case& c, const Origins& origins) {
+  if (!(c.radius_A >= smallest_atomistic_radius_A)) {
+    throw bad_input("{}: {} Å is too small for a sheet of atoms; at least three lattice constants, {:.2f} Å",
+                    label_of(origins, "radius"), c.radius_A, smallest_atomistic_radius_A);
+  }
+  if (c.models != "membrane" && !(c.radius_A <= largest_atomistic_radius_A)) {
+    throw bad_input(
+        "{}: {} Å is too large for a sheet of atoms; at most {} Å (10.8 million atoms), "
+        "or --models membrane",
+        label_of(origins, "radius"), c.radius_A, largest_atomistic_radius_A);
+  }
+  if (has_load(c, "disc") && !(c.tip_radius_A >= smallest_atomistic_tip_A)) {
+    throw bad_input("{}: a disc of {} Å holds no atom; at least {} Å, the size of the central hexagon",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, smallest_atomistic_tip_A);
+  }
+  if (!(c.pretension_eV_per_A2 <= largest_pretension_eV_per_A2)) {
+    throw bad_input("{}: {} eV/Å² would break the sheet before the test; at most {} eV/Å² (42 N/m)",
+                    label_of(origins, "pretension"), c.pretension_eV_per_A2, largest_pretension_eV_per_A2);
+  }
+}
+
+void check_levels(const Case& c, const Origins& origins) {
+  if (c.forces_eV_per_A.size() > most_levels) {
+    throw bad_input("{}: {} levels are too many; at most {}", label_of(origins, "forces"),
+                    c.forces_eV_per_A.size(), most_levels);
+  }
+  if (!c.forces_eV_per_A.empty()) return;
+  const double depth_max = largest_depth_A(c);
+  if (!(depth_max <= c.radius_A)) {
+    throw bad_input("{}: {} Å is deeper than the radius, {} Å", label_of(origins, "depth-max"), depth_max,
+                    c.radius_A);
+  }
+  if (!(c.depth_step_A <= depth_max)) {
+    throw bad_input("{}: {} Å is larger than the largest depth, {:.6g} Å{}", label_of(origins, "depth-step"),
+                    c.depth_step_A, depth_max,
+                    c.depth_max_A ? "" : fmt::format(" ({} of the radius)", depth_max_of_radius));
+  }
+  if (!(depth_max / c.depth_step_A <= most_levels)) {
+    throw bad_input("{}: steps of {} Å up to {:.6g} Å are {:.0f} levels; at most {}",
+                    label_of(origins, "depth-step"), c.depth_step_A, depth_max, depth_max / c.depth_step_A,
+                    most_levels);
+  }
+}
+
+void check_window(const Case& c, const Origins& origins) {
+  const bool increasing = c.window.size() == 2 && c.window[0] < c.window[1];
+  if (!increasing) {
+    throw bad_input("{}: the window must be two increasing numbers, for instance 0.10, 0.15",
+                    label_of(origins, "window"));
+  }
+}
+
+std::vector<std::string> warnings(const Case& c, const Origins& origins) {
+  std::vector<std::string> found;
+  if (!c.forces_eV_per_A.empty()) {
+    if (c.depth_max_A) {
+      found.push_back(label_of(origins, "depth-max") + ": not used, because forces are given");
+    }
+  } else if (largest_depth_A(c) >= c.radius_A / 2) {
+    found.push_back(fmt::format("{}: {:.6g} Å is half of the radius or more: a sheet is torn long before",
+                                label_of(origins, "depth-max"), largest_depth_A(c)));
+  }
+  if (c.models != "membrane" && c.radius_A > memory_warning_radius_A) {
+    found.push_back(
+        fmt::format("{}: a sheet of {} Å has about {:.1f} million atoms and needs several GiB of memory",
+                    label_of(origins, "radius"), c.radius_A, 1.2e-6 * c.radius_A * c.radius_A));
+  }
+  return found;
+}
+
+}  // namespace
+
+bool has_given_constants(const Case& c) { return c.E_eV_per_A3 && c.thickness_A && c.nu; }
+
+double largest_depth_A(const Case& c) { return c.depth_max_A.value_or(depth_max_of_radius * c.radius_A); }
+
+std::vector<double> depth_levels(const Case& c) {
+  constexpr double same = 1e-9;  // relative; a last step shorter than this is rounding
+  const double depth_max = largest_depth_A(c);
+  std::vector<double> levels;
+  for (int i = 1; i * c.depth_step_A < depth_max * (1 - same); ++i) levels.push_back(i * c.depth_step_A);
+  levels.push_back(depth_max);
+  return levels;
+}
+
+std::vector<std::string> check(const Case& c, const Origins& origins) {
+  check_given_constants(c, origins);
+  if (!has_given_constants(c)) check_lattice(c, origins);
+  check_loads(c, origins);
+  check_levels(c, origins);
+  check_window(c, origins);
+  return warnings(c, origins);
+}
+
+}  // namespace compare

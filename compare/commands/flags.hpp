@@ -1,0 +1,36 @@
+// Command-line flags: one for every field of a case, made from describe(), and those of a run.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/case.hpp"
+#include "compare/commands/run_options.hpp"
+
+namespace compare {
+
+/// The flags of a case. Lives as long as the command that it was added to.
+class CaseFlags {
+ public:
+  explicit CaseFlags(CLI::App& command);
+
+  /// Overwrites the fields whose flags were given and adds "--flag" as their origin.
+  /// Throws Error (bad input) that names the flag, the value and what is allowed.
+  void apply(Case&, Origins&) const;
+
+ private:
+  const CLI::App& command_;
+};
+
+/// Adds the flags of a run; the options must outlive the parsing.
+void add_run_options(CLI::App& command, RunOptions&);
+
+/// Refuses options that contradict each other.
+void check(const RunOptions&);
+
+/// Names of all flags of a command, with their dashes.
+std::vector<std::string> flag_names(const CLI::App& command);
+
+}  // namespace compare

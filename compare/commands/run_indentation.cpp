@@ -1,0 +1,96 @@
+#include "compare/commands/run_indentation.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "atomistic/protocol/blas.hpp"
+#include "compare/errors.hpp"
+#include "compare/interrupt.hpp"
+#include "compare/outputs/atoms_files.hpp"
+#include "compare/outputs/outputs.hpp"
+#include "compare/outputs/summary_json.hpp"
+#include "compare/outputs/table.hpp"
+#include "compare/paths.hpp"
+#include "compare/plan.hpp"
+#include "compare/run_folder.hpp"
+#include "compare/study.hpp"
+
+namespace compare {
+namespace {
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+AtomsLaunch launch_of(const RunOptions& options, bool needs_atoms) {
+  AtomsLaunch launch{.program = needs_atoms ? atoms_program() : std::filesystem::path(),
+                     .launcher = words(options.launcher),
+                     .cores = available_cores()};
+  if (!launch.launcher.empty()) launch.cores = 1;  // it owns the machine: one job at a time
+  if (needs_atoms && launch.launcher.empty() && !has_mpiexec()) {
+    if (options.ranks > 1)
+      throw Error(ExitCode::atomistic_failed,
+                  "--ranks: 'mpiexec' is not in PATH; install Open MPI or give another launcher with --launcher");
+    spdlog::warn("mpiexec is not in PATH: the atoms run on one rank");
+  }
+  return launch;
+}
+
+std::string folder_name(const Case& c) {
+  const std::string potential = has_given_constants(c) ? "membrane" : std::filesystem::path(c.potential).stem().string();
+  return fmt::format("indentation-{}-R{:g}", potential, c.radius_A);
+}
+
+bool any_run_ended(const Result& result, Ended how) {
+  return std::any_of(result.runs.begin(), result.runs.end(), [&](const Run& run) { return run.ended == how; });
+}
+
+ExitCode verdict(const StudyOutcome& outcome) {
+  if (!outcome.failure.empty()) return ExitCode::atomistic_failed;
+  if (any_run_ended(outcome.result, Ended::not_converged)) return ExitCode::not_converged;
+  const auto& agreement = outcome.result.agreement;
+  return agreement && !agreement->passed ? ExitCode::disagreement : ExitCode::success;
+}
+
+void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& folder) {
+  write_all(outcome.result, folder.path());
+  if (outcome.result.provenance.potential_file.size()) write_lammps_log(folder.work(), folder.path());
+  if (outcome.sheet)
+    for (const std::string& load : outcome.result.resolved.loads)
+      write_deepest_sheet(outcome.result.resolved.potential, load, *outcome.sheet, folder.work(), folder.path());
+  if (options.json) write_json(outcome.result, options.json->string());
+  if (!options.json || *options.json != "-") print_table(outcome.result, stdout);
+}
+
+}  // namespace
+
+int run_indentation(const Case& c, const RunOptions& options, const std::optional<PotentialFile>& potential) {
+  atomistic::use_one_blas_thread();
+  const AtomsLaunch launch = launch_of(options, potential.has_value());
+  if (options.dry_run) {
+    fmt::print("{}", plan_text(c, potential, launch));
+    return 0;
+  }
+  catch_interrupts();
+  RunFolder folder(options, folder_name(c), c);
+  Progress progress(options.quiet);
+  try {
+    const StudyOutcome outcome = run_study(c, potential, {launch, options.ranks, folder.path()}, progress);
+    report(outcome, options, folder);
+    if (!outcome.failure.empty()) throw Error(ExitCode::atomistic_failed, outcome.failure);
+    folder.finish();
+    progress.say(fmt::format("wrote {}", folder.path().string()));
+    return static_cast<int>(verdict(outcome));
+  } catch (const Error& error) {
+    if (error.exit_code() != ExitCode::interrupted) throw;
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted; the finished depths are kept: continue with --resume --out '{}'",
+                            folder.path().string()));
+  }
+}
+
+}  // namespace compare

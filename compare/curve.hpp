@@ -1,0 +1,40 @@
+// A force–depth curve as a function of the depth.
+#pragma once
+
+#include <gsl/gsl_interp.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "compare/result.hpp"
+
+namespace compare {
+
+/// Monotone interpolation (Steffen 1990) of ln F over ln depth: exact for power laws, which a straight chord
+/// of F over depth overestimates by several per cent at the spacing of a run.
+class Curve {
+ public:
+  /// Depths in Å and forces in eV/Å, equally long, all positive, in any order. Throws std::invalid_argument
+  /// for fewer than two different depths or values that are not positive and finite.
+  Curve(std::span<const double> depth_A, std::span<const double> force_eV_per_A);
+
+  /// The usable points of a run; throws as above.
+  explicit Curve(const Run& run);
+
+  double lowest_A() const;
+  double highest_A() const;
+
+  /// Force (eV/Å) at a depth (Å); nothing outside the curve's own depths: never extrapolated.
+  std::optional<double> force_eV_per_A(double depth_A) const;
+
+ private:
+  struct FreeInterpolation {
+    void operator()(gsl_interp* p) const { gsl_interp_free(p); }
+  };
+  std::vector<double> log_depth_, log_force_;
+  std::unique_ptr<gsl_interp, FreeInterpolation> interpolation_;
+};
+
+}  // namespace compare

@@ -1,0 +1,45 @@
+#include "compare/curves.hpp"
+
+namespace compare {
+
+void append(Run& run, const membrane::Step& step) {
+  run.depth_A.push_back(step.depth_A);
+  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
+  run.force_eV_per_A.push_back(step.force_eV_per_A);
+  run.energy_eV.push_back(step.energy_eV);
+  run.converged.push_back(step.converged);
+  run.newton_iterations.push_back(step.newton_iterations);
+}
+
+void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
+  run.depth_A.push_back(step.depth_A);
+  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
+  run.force_eV_per_A.push_back(step.force_eV_per_A);
+  run.energy_eV.push_back(step.energy_eV);
+  run.converged.push_back(step.converged);
+  run.longest_bond_A.push_back(step.longest_bond_A);
+  run.max_force_eV_per_A.push_back(step.max_force_eV_per_A);
+  run.balance_relative.push_back(step.balance_relative);
+  run.force_error_relative.push_back(step.force_error_relative);
+  run.artefact.push_back(step.longest_bond_A >= artefact_from_A);
+  run.force_evaluations.push_back(step.evaluations);
+  run.factorisations.push_back(step.factorisations);
+}
+
+void close(Run& run, const membrane::Report& report) {
+  run.triangles = report.triangles;
+  run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
+  run.ended_reason = report.reason;
+}
+
+void close(Run& run, const atomistic::Report& report) {
+  switch (report.ended) {
+    case atomistic::Ended::depth_max: run.ended = Ended::depth_max; break;
+    case atomistic::Ended::artefact: run.ended = Ended::artefact; break;
+    case atomistic::Ended::rupture: run.ended = Ended::rupture; break;
+    case atomistic::Ended::not_converged: run.ended = Ended::not_converged; break;
+  }
+  run.ended_reason = report.reason;
+}
+
+}  // namespace compare

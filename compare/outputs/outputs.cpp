@@ -1,0 +1,42 @@
+// First, because fmt/format.h 9 calls a friend named `compare` that a namespace of this name would hide.
+// clang-format off
+#include <spdlog/spdlog.h>
+// clang-format on
+
+#include "compare/outputs/outputs.hpp"
+
+#include <exception>
+
+#include "compare/outputs/curves_csv.hpp"
+#include "compare/outputs/figure.hpp"
+#include "compare/outputs/run_h5.hpp"
+#include "compare/outputs/summary_json.hpp"
+
+namespace compare {
+
+namespace {
+
+using Write = void (*)(const Result&, const std::filesystem::path& folder);
+
+void figure(const Result& result, const std::filesystem::path& folder) {
+  if (const auto warning = write_figure(result, folder)) spdlog::warn("{}", *warning);
+}
+
+// Numbers first, pictures last.
+constexpr Write documents[] = {write_run_h5, write_curves, write_summary, figure};
+
+}  // namespace
+
+void write_all(const Result& result, const std::filesystem::path& folder) {
+  std::exception_ptr first_failure;
+  for (const Write write : documents) {
+    try {
+      write(result, folder);
+    } catch (const std::exception&) {
+      if (!first_failure) first_failure = std::current_exception();
+    }
+  }
+  if (first_failure) std::rethrow_exception(first_failure);
+}
+
+}  // namespace compare

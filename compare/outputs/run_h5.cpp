@@ -1,0 +1,108 @@
+#include "compare/outputs/run_h5.hpp"
+
+#include <fmt/core.h>
+
+#include "compare/outputs/file.hpp"
+#include "compare/outputs/h5.hpp"
+#include "compare/outputs/keys.hpp"
+#include "compare/outputs/summary_json.hpp"
+
+namespace compare {
+
+namespace {
+
+// Each described member becomes an attribute of the group, members of a table an attribute of a group inside
+// it. The unit is in the attribute's name.
+class AttributesOf {
+ public:
+  explicit AttributesOf(h5::Group& group) : group_(group) {}
+
+  template <class T>
+  void operator()(const Field& field, const T& value) {
+    if (field.table.empty()) {
+      write(group_, key(field), value);
+    } else {
+      write(table(field.table), key(field), value);
+    }
+  }
+
+ private:
+  h5::Group& table(std::string_view name) {
+    for (auto& [known, group] : tables_) {
+      if (known == name) return group;
+    }
+    return tables_.emplace_back(name, group_.group(name)).second;
+  }
+
+  template <class T>
+  static void write(h5::Group& group, const std::string& name, const std::optional<T>& value) {
+    if (value) write(group, name, *value);
+  }
+  template <class T>
+  static void write(h5::Group& group, const std::string& name, const T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      group.attribute(name, to_string(value));
+    } else {
+      group.attribute(name, value);
+    }
+  }
+
+  h5::Group& group_;
+  std::vector<std::pair<std::string_view, h5::Group>> tables_;
+};
+
+template <class Struct>
+h5::Group write_group(h5::Group& parent, std::string_view name, const Struct& described) {
+  h5::Group group = parent.group(name);
+  describe_with_twins(described, AttributesOf(group));
+  return group;
+}
+
+template <class Struct>
+void write_columns(h5::Group& group, const Struct& described) {
+  describe_points(described, [&group](const Field& field, const auto& values) {
+    h5::Object set = group.data_set(key(field), values);
+    set.attribute("unit", field.unit);
+    set.attribute("meaning", field.meaning);
+  });
+}
+
+void write_run(h5::Group& runs, std::size_t index, const Run& run) {
+  h5::Group group = write_group(runs, fmt::format("{}", index), run);
+  write_columns(group, run);
+  if (run.fit) {
+    write_group(group, "fit", *run.fit);
+  } else {
+    group.attribute("fit_skipped", run.fit_skipped);
+  }
+}
+
+void write_result(h5::Group& root, const Result& result) {
+  root.attribute("schema", summary_schema);
+  root.attribute("meaning", "membrane against atoms: the keys are those of summary.json");
+  write_group(root, "case", result.resolved);
+  if (result.sheet) write_group(root, "sheet", *result.sheet);
+  if (result.card) write_group(root, "card", *result.card);
+  h5::Group runs = root.group("runs");
+  for (std::size_t i = 0; i < result.runs.size(); ++i) write_run(runs, i, result.runs[i]);
+  if (result.agreement) {
+    h5::Group agreement = write_group(root, "agreement", *result.agreement);
+    write_columns(agreement, *result.agreement);
+  } else {
+    root.attribute("agreement_skipped", result.agreement_skipped);
+  }
+  write_group(root, "timing", result.timing);
+  write_group(root, "provenance", result.provenance);
+}
+
+}  // namespace
+
+void write_run_h5(const Result& result, const std::filesystem::path& folder) {
+  PendingFile pending(folder / "run.h5");
+  h5::File file(pending.path());
+  write_result(file.root(), result);
+  file.close();
+  pending.commit();
+}
+
+}  // namespace compare

@@ -1,0 +1,121 @@
+#include "compare/outputs/summary_json.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "compare/errors.hpp"
+#include "compare/outputs/file.hpp"
+#include "compare/outputs/keys.hpp"
+
+namespace compare {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json_value(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json to_json_value(int value) { return value; }
+Json to_json_value(long value) { return value; }
+Json to_json_value(bool value) { return value; }
+Json to_json_value(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
+Json to_json_value(Model value) { return to_string(value); }
+Json to_json_value(Constants value) { return to_string(value); }
+Json to_json_value(Ended value) { return to_string(value); }
+
+template <class T>
+Json to_json_value(const std::optional<T>& value) {
+  return value ? to_json_value(*value) : Json(nullptr);
+}
+
+template <class List>
+requires requires(const List& list) {
+  typename List::value_type;
+  list.size();
+} &&(!std::is_same_v<List, std::string>)Json to_json_value(const List& list) {
+  Json array = Json::array();
+  for (const typename List::value_type& value : list) array.push_back(to_json_value(value));
+  return array;
+}
+
+// Adds each described member to an object, members of a table to an object inside it.
+class AddTo {
+ public:
+  explicit AddTo(Json& object) : object_(object) {}
+
+  template <class T>
+  void operator()(const Field& field, const T& value) const {
+    Json& place = field.table.empty() ? object_ : object_[std::string(field.table)];
+    place[key(field)] = to_json_value(value);
+  }
+
+ private:
+  Json& object_;
+};
+
+template <class Struct>
+Json object_of(const Struct& described) {
+  Json object = Json::object();
+  describe_with_twins(described, AddTo(object));
+  return object;
+}
+
+template <class Struct>
+Json object_of(const std::optional<Struct>& described) {
+  return described ? object_of(*described) : Json(nullptr);
+}
+
+Json run_object(const Run& run) {
+  Json object = object_of(run);
+  describe_points(run, AddTo(object));
+  object["fit"] = object_of(run.fit);
+  if (!run.fit) object["fit_skipped"] = to_json_value(run.fit_skipped);
+  return object;
+}
+
+Json agreement_object(const Agreement& agreement) {
+  Json object = object_of(agreement);
+  describe_points(agreement, AddTo(object));
+  return object;
+}
+
+}  // namespace
+
+nlohmann::ordered_json case_document(const Case& resolved) { return object_of(resolved); }
+
+nlohmann::ordered_json summary_document(const Result& result) {
+  Json document;
+  document["schema"] = summary_schema;
+  document["case"] = case_document(result.resolved);
+  document["sheet"] = object_of(result.sheet);
+  document["card"] = object_of(result.card);
+  document["runs"] = Json::array();
+  for (const Run& run : result.runs) document["runs"].push_back(run_object(run));
+  document["agreement"] = result.agreement ? agreement_object(*result.agreement) : Json(nullptr);
+  if (!result.agreement) document["agreement_skipped"] = to_json_value(result.agreement_skipped);
+  document["timing"] = object_of(result.timing);
+  document["provenance"] = object_of(result.provenance);
+  return document;
+}
+
+namespace {
+
+// A path or a command line need not be UTF-8; its foreign bytes become replacement characters.
+std::string as_text(const Result& result) {
+  return summary_document(result).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+void write_summary(const Result& result, const std::filesystem::path& folder) {
+  write_file(folder / "summary.json", as_text(result));
+}
+
+void write_json(const Result& result, const std::string& target) {
+  const std::string text = as_text(result);
+  if (target != "-") return write_file(target, text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw Error(ExitCode::file_failed, "cannot write the JSON document to stdout");
+  }
+}
+
+}  // namespace compare

@@ -1,0 +1,25 @@
+// summary.json: what a run found, for programs. Described by inputs/summary.schema.json.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/result.hpp"
+
+namespace compare {
+
+inline constexpr int summary_schema = 1;
+
+/// The document. Numbers that are not known or not finite, and texts that are empty, are null.
+nlohmann::ordered_json summary_document(const Result& result);
+
+/// The resolved case, as it stands in the document.
+nlohmann::ordered_json case_document(const Case& resolved);
+
+void write_summary(const Result& result, const std::filesystem::path& folder);
+
+/// The same document for `--json`: a file, or "-" for stdout. Throws Error (file failed).
+void write_json(const Result& result, const std::string& target);
+
+}  // namespace compare

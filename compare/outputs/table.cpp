@@ -1,0 +1,176 @@
+#include "compare/outputs/table.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "compare/errors.hpp"
+#include "compare/units.hpp"
+
+namespace compare {
+
+namespace {
+
+constexpr int widest_line = 120;
+
+// Characters, not bytes: the continuation bytes of UTF-8 do not count.
+int width_of(std::string_view text) {
+  return static_cast<int>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// Adds a sentence, broken at blanks where it grows too long.
+template <class... Parts>
+void sentence(std::string& text, fmt::format_string<Parts...> format, Parts&&... parts) {
+  std::istringstream words(fmt::format(format, std::forward<Parts>(parts)...));
+  int width = 0;
+  for (std::string word; words >> word; width += width_of(word)) {
+    const bool too_long = width > 0 && width + 1 + width_of(word) > widest_line;
+    if (width > 0) text += too_long ? "\n    " : " ";
+    width = too_long ? 4 : width + (width > 0);
+    text += word;
+  }
+  text += '\n';
+}
+
+// Run, E·h (N/m, eV/Å²), card's E·h, pretension, correlation, rms, points, last point, ended.
+using Row = std::array<std::string, 10>;
+
+const Row headings = {"Eq. 16 fitted to", "E·h",  "E·h", "card", "pretension", "corr", "rms", "pts",
+                      "last force",       "ended"};
+const Row units = {"", "N/m ± error", "eV/Å²", "N/m", "N/m ± error", "", "%", "", "eV/Å @ Å", ""};
+
+void add_row(std::string& text, const Row& cell) {
+  const std::string line =
+      fmt::format("{:<22}{:>14}{:>8}{:>7}  {:>16}{:>7}{:>7}{:>5}  {:>14}  {}", cell[0], cell[1], cell[2],
+                  cell[3], cell[4], cell[5], cell[6], cell[7], cell[8], cell[9]);
+  text.append(line, 0, line.find_last_not_of(' ') + 1) += '\n';
+}
+
+double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
+
+// A rounding error of either sign prints as 0, not as -0.
+std::string fixed(double value, int digits) {
+  const std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero ? fmt::format("{:.{}f}", 0.0, digits) : text;
+}
+
+std::string with_error(double value, double error, int digits) {
+  return fixed(value, digits) + " ± " + fixed(error, digits);
+}
+
+std::string name_of(const Run& run) {
+  const std::string name = fmt::format("{} {}", to_string(run.model), run.load);
+  return run.constants == Constants::none ? name : fmt::format("{} {}", name, to_string(run.constants));
+}
+
+// The deepest point reached, artefact zone included.
+std::string last_point(const Run& run) {
+  for (std::size_t i = run.depth_A.size(); i-- > 0;) {
+    if (run.converged[i]) return fmt::format("{:.4g} @ {:.4g}", run.force_eV_per_A[i], run.depth_A[i]);
+  }
+  return "-";
+}
+
+Row row_of(const Run& run, const std::string& card) {
+  const std::string ended(to_string(run.ended));
+  if (!run.fit) return {name_of(run), "-", "-", card, "-", "-", "-", "-", last_point(run), ended};
+  const Fit& fit = *run.fit;
+  return {name_of(run),
+          with_error(in_N_per_m(fit.Eh_eV_per_A2), in_N_per_m(fit.Eh_stderr_eV_per_A2), 1),
+          fixed(fit.Eh_eV_per_A2, 2),
+          card,
+          with_error(in_N_per_m(fit.pretension_eV_per_A2), in_N_per_m(fit.pretension_stderr_eV_per_A2), 3),
+          fixed(fit.correlation, 2),
+          fixed(100 * fit.rms_relative, 2),
+          fmt::format("{}", fit.points),
+          last_point(run),
+          ended};
+}
+
+void add_notes(std::string& text, const Run& run) {
+  const auto artefacts = std::ranges::count(run.artefact, true);
+  if (artefacts > 0) {
+    sentence(text,
+             "{}: {} {} with a bond ≥ {:.2f} Å (artefact zone, from {:.4g} Å on) left out of fit and verdict",
+             name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_A,
+             run.depth_A[*first_artefact(run)]);
+  }
+  if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
+  if (!run.ended_reason.empty() && run.ended != Ended::depth_max) {
+    sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
+  }
+}
+
+// The judged point that differs most, in words.
+std::string worst_point(const Agreement& agreement) {
+  if (agreement.ratio.empty()) return "";
+  const auto difference = [](double ratio) { return std::abs(ratio - 1); };
+  const auto worst = std::ranges::max_element(agreement.ratio, {}, difference) - agreement.ratio.begin();
+  return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})",
+                     agreement.depth_A[static_cast<std::size_t>(worst)], agreement.against,
+                     agreement.ratio[static_cast<std::size_t>(worst)]);
+}
+
+void add_verdict(std::string& text, const Result& result, bool colour) {
+  if (!result.agreement) {
+    sentence(text, "No verdict: {}.",
+             result.agreement_skipped.empty() ? "nothing to compare" : result.agreement_skipped);
+    return;
+  }
+  const Agreement& agreement = *result.agreement;
+  if (colour) text += agreement.passed ? "\033[1;32m" : "\033[1;31m";
+  text += agreement.passed ? "AGREEMENT" : "DISAGREEMENT";
+  if (colour) text += "\033[0m";
+  text += '\n';
+  sentence(text,
+           "Over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from the {}'s (card "
+           "constants) "
+           "by at most {:.2f} %{}; the tolerance is {:.2f} %.",
+           agreement.window[0], agreement.window[1], agreement.load, agreement.against,
+           100 * agreement.max_relative_difference, worst_point(agreement), 100 * agreement.tolerance);
+}
+
+}  // namespace
+
+std::string table(const Result& result, bool colour) {
+  std::string text;
+  if (const auto& card = result.card) {
+    sentence(text, "{}: a0 = {:.4f} Å, E·h = {:.1f} N/m ({:.2f} eV/Å²), nu = {:.4f}",
+             result.resolved.potential, card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2,
+             card->nu);
+  }
+  if (const auto& sheet = result.sheet) {
+    sentence(text, "sheet: R = {:g} Å, effective radius a = {:.3f} Å, {} atoms", sheet->radius_A,
+             sheet->effective_radius_A, sheet->atoms);
+  }
+  if (!text.empty()) text += '\n';
+  add_row(text, headings);
+  add_row(text, units);
+  const std::string card = result.card ? fixed(in_N_per_m(result.card->Eh_eV_per_A2), 1) : "-";
+  for (const Run& run : result.runs) add_row(text, row_of(run, card));
+  text += '\n';
+  const std::size_t before_notes = text.size();
+  for (const Run& run : result.runs) add_notes(text, run);
+  if (text.size() > before_notes) text += '\n';
+  add_verdict(text, result, colour);
+  return text;
+}
+
+void print_table(const Result& result, std::FILE* out) {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const bool colour = ::isatty(::fileno(out)) && (!no_color || !*no_color);
+  const std::string text = table(result, colour);
+  if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0) {
+    throw Error(ExitCode::file_failed, "cannot write the table to stdout");
+  }
+}
+
+}  // namespace compare

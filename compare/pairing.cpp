@@ -1,0 +1,140 @@
+#include "compare/pairing.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <variant>
+
+#include "atomistic/loads/pattern.hpp"
+#include "compare/errors.hpp"
+#include "compare/nearest.hpp"
+
+namespace compare {
+namespace {
+
+/// The paper's constants of its figure 2 (from its reference [30]).
+constexpr double paper_E_eV_per_A3 = 5.864, paper_thickness_A = 1.37, paper_nu = 0.19;
+
+/// A load by its name, as each leaf knows it. `point` is the six atoms of the central hexagon, and one node of a
+/// membrane that has no atoms to match.
+struct LoadPair {
+  std::string_view name;
+  atomistic::Load (*atoms)(double tip_A);
+  membrane::Load (*nominal)(double tip_A);
+};
+
+constexpr std::array loads = {
+    LoadPair{"point", [](double) -> atomistic::Load { return atomistic::PointLoad{}; },
+             [](double) -> membrane::Load { return membrane::PointLoad{}; }},
+    LoadPair{"disc", [](double tip) -> atomistic::Load { return atomistic::DiscLoad{tip}; },
+             [](double tip) -> membrane::Load { return membrane::DiscLoad{tip}; }},
+};
+
+const LoadPair& load_pair(std::string_view name) {
+  for (const LoadPair& load : loads)
+    if (load.name == name) return load;
+  throw bad_input("unknown load '{}'", name);
+}
+
+bool dead_forces(const Case& c) { return !c.forces_eV_per_A.empty(); }
+
+/// Membrane with its radii, constants and pretension; the case supplies the rest.
+MembraneExperiment membrane_experiment(const Case& c, const std::string& load, const std::vector<double>& levels,
+                                       Constants constants, double a_A, membrane::Load pattern, double Eh, double nu) {
+  MembraneExperiment e;
+  e.run.model = Model::membrane;
+  e.run.load = load;
+  e.run.constants = constants;
+  e.run.a_A = a_A;
+  const auto* disc = std::get_if<membrane::DiscLoad>(&pattern);
+  e.run.tip_A = disc ? disc->radius_A : 0.0;
+  e.run.Eh_eV_per_A2 = Eh;
+  e.run.nu = nu;
+  e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
+  e.problem.sheet.radius_A = a_A;
+  e.problem.law = membrane::StVenantKirchhoff{Eh, nu};
+  e.problem.prestress_eV_per_A2 = c.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
+  e.problem.load = pattern;
+  e.problem.control = dead_forces(c) ? membrane::Control::force : membrane::Control::conjugate_depth;
+  e.problem.levels = levels;
+  return e;
+}
+
+/// σ0h (1 − ν) / (E h): the biaxial strain that causes the pretension.
+double pretension_strain(const Case& c, const atomistic::Card& card) {
+  return c.pretension_eV_per_A2 * (1 - card.nu()) / card.sheet_modulus_eV_per_A2();
+}
+
+}  // namespace
+
+PairedSheet::PairedSheet(const Case& c, const atomistic::Potential& potential, const atomistic::Card& card)
+    : strain_(pretension_strain(c, card)),
+      sheet_(atomistic::make_sheet(c.radius_A, card.a0_A, strain_, potential.interaction_range_A)) {}
+
+double PairedSheet::effective_tip_A(const atomistic::Load& load) const {
+  const double loaded = static_cast<double>(atomistic::loaded_atoms(load, sheet_).size());
+  const double atom_area = 0.75 * std::numbers::sqrt3 * sheet_.bond_A * sheet_.bond_A;
+  return std::sqrt(loaded * atom_area / std::numbers::pi);
+}
+
+atomistic::Load atomistic_load(const Case& c, const std::string& load) {
+  return load_pair(load).atoms(c.tip_radius_A);
+}
+
+AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potential& potential,
+                                         const atomistic::Card& card, const PairedSheet& pair, const std::string& load,
+                                         const std::vector<double>& levels) {
+  AtomisticExperiment e;
+  e.problem.potential = potential;
+  e.problem.card = card;
+  e.problem.radius_A = c.radius_A;
+  e.problem.biaxial_strain = pair.biaxial_strain();
+  e.problem.load = atomistic_load(c, load);
+  e.problem.control = dead_forces(c) ? atomistic::Control::force : atomistic::Control::conjugate_depth;
+  e.problem.levels = levels;
+  e.problem.force_tolerance_eV_per_A = c.force_tolerance_eV_per_A;
+  e.problem.past_artefact = c.past_artefact;
+  e.run.model = Model::atomistic;
+  e.run.load = load;
+  e.run.a_A = pair.effective_radius_A();
+  e.run.tip_A = pair.effective_tip_A(e.problem.load);
+  e.run.Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2();
+  e.run.nu = card.nu();
+  e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
+  return e;
+}
+
+MembraneExperiment card_membrane(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
+                                 const std::string& load, const std::vector<double>& levels) {
+  const membrane::DiscLoad twin{pair.effective_tip_A(atomistic_load(c, load))};  // also of the six atoms
+  MembraneExperiment e = membrane_experiment(c, load, levels, Constants::card, pair.effective_radius_A(), twin,
+                                             card.sheet_modulus_eV_per_A2(), card.nu());
+  e.problem.record_radius_A = pair.sheet().bond_A;  // where the atoms' depth of record is taken
+  return e;
+}
+
+MembraneExperiment paper_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
+  return membrane_experiment(c, load, levels, Constants::paper, c.radius_A, load_pair(load).nominal(c.tip_radius_A),
+                             paper_E_eV_per_A3 * paper_thickness_A, paper_nu);
+}
+
+MembraneExperiment given_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
+  return membrane_experiment(c, load, levels, Constants::given, c.radius_A, load_pair(load).nominal(c.tip_radius_A),
+                             *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
+}
+
+CardSummary summary_of(const atomistic::Card& card) {
+  const double isotropic = (card.C11_eV_per_A2 - card.C12_eV_per_A2) / 2;
+  return {.a0_A = card.a0_A,
+          .energy_per_atom_eV = card.energy_per_atom_eV,
+          .C11_eV_per_A2 = card.C11_eV_per_A2,
+          .C12_eV_per_A2 = card.C12_eV_per_A2,
+          .C66_eV_per_A2 = card.C66_eV_per_A2,
+          .Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2(),
+          .nu = card.nu(),
+          .bending_modulus_eV = card.bending_modulus_eV(),
+          .isotropy_error = card.C66_eV_per_A2 / isotropic - 1};
+}
+
+}  // namespace compare

@@ -1,0 +1,36 @@
+// A potential: one TOML file that names LAMMPS's pair style, its coefficients and the file of parameters.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "atomistic/problem.hpp"
+
+namespace compare {
+
+struct PotentialFile {
+  atomistic::Potential potential;  ///< pair_coeff still holds {file}; file is an absolute path, or empty
+  std::filesystem::path toml;      ///< the description that was read
+  std::string sha256;              ///< of potential.file; empty where the potential has no file
+};
+
+/// True for `my.toml` and `here/my.toml`: a path, not a name in inputs/potentials.
+bool is_path(std::string_view potential);
+
+/// Names in a folder of potentials, sorted.
+std::vector<std::string> available_potentials(const std::filesystem::path& folder);
+
+/// Folders searched for a parameter file named without a path: beside the TOML, $LAMMPS_POTENTIALS, LAMMPS's
+/// own.
+std::vector<std::filesystem::path> places_for_parameters(const std::filesystem::path& toml);
+
+/// Reads a potential by name (in `folder`) or by path (from the current directory) and checks that its
+/// parameter file exists, can be read and holds what the description says, so that LAMMPS never sees a bad
+/// one. `label` (flag, or file and line) starts the messages. Throws Error: bad input; file failed if
+/// unreadable.
+PotentialFile read_potential(std::string_view name_or_path, const std::filesystem::path& folder,
+                             std::string_view label);
+
+}  // namespace compare

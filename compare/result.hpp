@@ -1,0 +1,121 @@
+// What a run of the comparison produced. Base units Å, eV; the N/m twins are made where a document is
+// written. A number that is not known stays NaN and becomes null (JSON) or an empty cell (CSV), never 0.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/case.hpp"
+
+namespace compare {
+
+enum class Model { membrane, atomistic };
+enum class Constants { card, paper, given, none };  ///< none: atomistic
+enum class Ended { depth_max, artefact, rupture, not_converged };
+
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// From this longest bond (Å) on, the carbon potentials' switching function makes the forces an artefact.
+inline constexpr double artefact_bond_A = 1.70;
+
+std::string_view to_string(Model);
+std::string_view to_string(Constants);
+std::string_view to_string(Ended);
+
+/// Also for a curve whose program failed: "failed".
+std::string_view to_string(const std::optional<Ended>&);
+
+/// Eq. 16 fitted to a curve.
+struct Fit {
+  double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
+  double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
+  double correlation = 0;   ///< of the two parameters
+  double rms_relative = 0;  ///< root mean square residual over the largest force
+  std::array<double, 2> window_A{};
+  int points = 0;
+};
+
+/// One force–depth curve. All arrays are equally long; those of the other model stay empty.
+struct Run {
+  Model model = Model::membrane;
+  std::string load;
+  Constants constants = Constants::none;
+  double a_A = not_known, tip_A = not_known;        ///< radii as used (pairing radii where paired)
+  double Eh_eV_per_A2 = not_known, nu = not_known;  ///< as used; for atoms those of the card
+  double pretension_eV_per_A2 = 0;
+  std::optional<Ended> ended;  ///< nothing where the program that computed the curve failed
+  std::string ended_reason;  ///< in words, for the table and the log
+
+  std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A, energy_eV;
+  std::vector<bool> converged;
+
+  // atomistic
+  std::vector<double> longest_bond_A, max_force_eV_per_A, balance_relative, force_error_relative;
+  std::vector<bool> artefact;
+  std::vector<int> force_evaluations, factorisations;
+
+  // membrane
+  std::vector<int> newton_iterations;
+  int triangles = 0;
+
+  std::optional<Fit> fit;
+  std::string fit_skipped;  ///< why there is no fit
+};
+
+/// Indices of the points that fits, curves and the verdict use: converged, outside the artefact zone, with a
+/// finite force at a finite, positive depth (every curve passes through the origin, so depth 0 says nothing).
+std::vector<std::size_t> usable_points(const Run& run);
+
+/// Index of the first point in the artefact zone, if any.
+std::optional<std::size_t> first_artefact(const Run& run);
+
+/// The potential's linear response (T = 0, flat, relaxed inside the cell).
+struct CardSummary {
+  double a0_A = not_known, energy_per_atom_eV = not_known;
+  double C11_eV_per_A2 = not_known, C12_eV_per_A2 = not_known, C66_eV_per_A2 = not_known;
+  double Eh_eV_per_A2 = not_known, nu = not_known;
+  double bending_modulus_eV = not_known;
+  double isotropy_error = not_known;  ///< C66 / ((C11 − C12)/2) − 1
+};
+
+struct Agreement {
+  std::string load, against;
+  std::array<double, 2> window{};  ///< depth / effective radius
+  double max_relative_difference = 0, tolerance = 0;
+  bool passed = false;
+  std::vector<double> depth_A, ratio;  ///< the points judged, F_atoms / F_continuum
+};
+
+struct SheetSummary {
+  double radius_A = 0, effective_radius_A = 0;
+  int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
+};
+
+struct Timing {
+  double wall_s = not_known, membrane_s = not_known;
+  std::optional<double> atomistic_s,
+      force_s;  ///< force_s: pair, neighbour, communication; summed over curves
+  std::optional<long> force_calls;
+};
+
+struct Provenance {
+  std::string version, git, lammps, gsl, hdf5, suitesparse, blas;
+  std::string potential_file, potential_sha256, command_line;
+};
+
+struct Result {
+  Case resolved;
+  std::optional<SheetSummary> sheet;  ///< absent where no atoms were asked for
+  std::optional<CardSummary> card;
+  std::vector<Run> runs;
+  std::optional<Agreement> agreement;
+  std::string agreement_skipped;  ///< why there is no verdict
+  Timing timing;
+  Provenance provenance;
+};
+
+}  // namespace compare

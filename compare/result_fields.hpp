@@ -1,0 +1,145 @@
+// Name, unit and meaning of every member of the result structs that leaves the program: JSON keys, HDF5
+// attributes and data sets, CSV headers. outputs/keys.hpp adds the unit to the name and the twins in N/m.
+#pragma once
+
+#include "compare/describe.hpp"
+#include "compare/result.hpp"
+
+namespace compare {
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Fit>
+void describe(Self& fit, Visitor&& visit) {
+  visit(Field{"Eh", unit::membrane_force, "fitted sheet modulus"}, fit.Eh_eV_per_A2);
+  visit(Field{"Eh_stderr", unit::membrane_force, "its standard error"}, fit.Eh_stderr_eV_per_A2);
+  visit(Field{"pretension", unit::membrane_force, "fitted pretension"}, fit.pretension_eV_per_A2);
+  visit(Field{"pretension_stderr", unit::membrane_force, "its standard error"},
+        fit.pretension_stderr_eV_per_A2);
+  visit(Field{"correlation", unit::none, "correlation of sheet modulus and pretension"}, fit.correlation);
+  visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"},
+        fit.rms_relative);
+  visit(Field{"window", unit::length, "first and last depth fitted"}, fit.window_A);
+  visit(Field{"points", unit::none, "number of points fitted"}, fit.points);
+}
+
+/// What holds for the run as a whole.
+template <class Self, class Visitor>
+requires SameStruct<Self, Run>
+void describe(Self& run, Visitor&& visit) {
+  visit(Field{"model", unit::none, "membrane or atomistic"}, run.model);
+  visit(Field{"load", unit::none, "name of the load"}, run.load);
+  if (run.constants != Constants::none) {
+    visit(Field{"constants", unit::none, "where E·h and nu come from: card, paper, given"}, run.constants);
+  }
+  visit(Field{"a", unit::length, "clamp radius as used"}, run.a_A);
+  visit(Field{"tip", unit::length, "radius of the loaded disc as used"}, run.tip_A);
+  visit(Field{"Eh", unit::membrane_force, "sheet modulus as used; for atoms the card's"}, run.Eh_eV_per_A2);
+  visit(Field{"nu", unit::none, "Poisson's ratio as used; for atoms the card's"}, run.nu);
+  visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"},
+        run.pretension_eV_per_A2);
+  visit(Field{"ended", unit::none, "how the path ended"}, run.ended);
+  visit(Field{"ended_reason", unit::none, "the same in words"}, run.ended_reason);
+  if (run.model == Model::membrane) {
+    visit(Field{"triangles", unit::none, "triangles of the quarter's mesh"}, run.triangles);
+  }
+}
+
+/// One value per depth: the columns that the run's model has.
+template <class Self, class Visitor>
+requires SameStruct<Self, Run>
+void describe_points(Self& run, Visitor&& visit) {
+  visit(Field{"depth", unit::length, "depth of record"}, run.depth_A);
+  visit(Field{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"},
+        run.conjugate_depth_A);
+  visit(Field{"force", unit::force, "total force on the full sheet"}, run.force_eV_per_A);
+  visit(Field{"energy", unit::energy, "energy relative to the flat sheet"}, run.energy_eV);
+  visit(Field{"converged", unit::none, "equilibrium reached"}, run.converged);
+  if (run.model == Model::membrane) {
+    visit(Field{"newton_iterations", unit::none, "Newton iterations of this depth"}, run.newton_iterations);
+    return;
+  }
+  visit(Field{"longest_bond", unit::length, "longest bond of the sheet"}, run.longest_bond_A);
+  visit(Field{"artefact", unit::none, "longest bond in the potential's switching range"}, run.artefact);
+  visit(Field{"max_force", unit::force, "largest force left on a free atom"}, run.max_force_eV_per_A);
+  visit(Field{"balance_relative", unit::none, "tip force plus rim reaction, over the force"},
+        run.balance_relative);
+  visit(Field{"force_error_relative", unit::none, "estimated error of the force, over the force"},
+        run.force_error_relative);
+  visit(Field{"force_evaluations", unit::none, "LAMMPS force computations for this depth"},
+        run.force_evaluations);
+  visit(Field{"factorisations", unit::none, "preconditioner factorisations for this depth"},
+        run.factorisations);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, CardSummary>
+void describe(Self& card, Visitor&& visit) {
+  visit(Field{"a0", unit::length, "lattice constant"}, card.a0_A);
+  visit(Field{"energy_per_atom", unit::energy, "energy per atom of the flat sheet"}, card.energy_per_atom_eV);
+  visit(Field{"C11", unit::membrane_force, "elastic constant"}, card.C11_eV_per_A2);
+  visit(Field{"C12", unit::membrane_force, "elastic constant"}, card.C12_eV_per_A2);
+  visit(Field{"C66", unit::membrane_force, "elastic constant"}, card.C66_eV_per_A2);
+  visit(Field{"Eh", unit::membrane_force, "sheet modulus"}, card.Eh_eV_per_A2);
+  visit(Field{"nu", unit::none, "Poisson's ratio"}, card.nu);
+  visit(Field{"bending_modulus", unit::energy, "bending modulus"}, card.bending_modulus_eV);
+  visit(Field{"isotropy_error", unit::none, "C66 / ((C11 − C12)/2) − 1"}, card.isotropy_error);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Agreement>
+void describe(Self& agreement, Visitor&& visit) {
+  visit(Field{"load", unit::none, "load judged"}, agreement.load);
+  visit(Field{"against", unit::none, "continuum that the atoms are compared with"}, agreement.against);
+  visit(Field{"window", unit::none, "range judged, depth / effective radius"}, agreement.window);
+  visit(Field{"max_relative_difference", unit::none, "largest |F_atoms / F_continuum − 1|"},
+        agreement.max_relative_difference);
+  visit(Field{"tolerance", unit::none, "largest difference that passes"}, agreement.tolerance);
+  visit(Field{"passed", unit::none, "within the tolerance"}, agreement.passed);
+}
+
+/// One value per depth judged.
+template <class Self, class Visitor>
+requires SameStruct<Self, Agreement>
+void describe_points(Self& agreement, Visitor&& visit) {
+  visit(Field{"depth", unit::length, "atoms' depth of record"}, agreement.depth_A);
+  visit(Field{"ratio", unit::none, "F_atoms / F_continuum at that depth"}, agreement.ratio);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, SheetSummary>
+void describe(Self& sheet, Visitor&& visit) {
+  visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);
+  visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"},
+        sheet.effective_radius_A);
+  visit(Field{"atoms", unit::none, "atoms, clamped ring included"}, sheet.atoms);
+  visit(Field{"free_atoms", unit::none, "atoms that move"}, sheet.free_atoms);
+  visit(Field{"loaded_disc_atoms", unit::none, "atoms that carry the disc load"}, sheet.loaded_disc_atoms);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Timing>
+void describe(Self& timing, Visitor&& visit) {
+  visit(Field{"wall", unit::second, "whole command"}, timing.wall_s);
+  visit(Field{"membrane", unit::second, "membrane runs"}, timing.membrane_s);
+  visit(Field{"atomistic", unit::second, "atomistic runs, card included"}, timing.atomistic_s);
+  visit(Field{"force_calls", unit::none, "LAMMPS force computations of all curves"}, timing.force_calls);
+  visit(Field{"force", unit::second, "inside LAMMPS's force computation, summed over curves"},
+        timing.force_s);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Provenance>
+void describe(Self& provenance, Visitor&& visit) {
+  visit(Field{"version", unit::none, "version of validate"}, provenance.version);
+  visit(Field{"git", unit::none, "git revision of the sources"}, provenance.git);
+  visit(Field{"lammps", unit::none, "LAMMPS version"}, provenance.lammps);
+  visit(Field{"gsl", unit::none, "GSL version"}, provenance.gsl);
+  visit(Field{"hdf5", unit::none, "HDF5 version"}, provenance.hdf5);
+  visit(Field{"suitesparse", unit::none, "SuiteSparse version"}, provenance.suitesparse);
+  visit(Field{"blas", unit::none, "BLAS library loaded"}, provenance.blas);
+  visit(Field{"potential_file", unit::none, "the potential's parameter file"}, provenance.potential_file);
+  visit(Field{"potential_sha256", unit::none, "its SHA-256"}, provenance.potential_sha256);
+  visit(Field{"command_line", unit::none, "the command that made this"}, provenance.command_line);
+}
+
+}  // namespace compare

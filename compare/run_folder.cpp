@@ -1,0 +1,132 @@
+#include "compare/run_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "compare/errors.hpp"
+#include "compare/outputs/file.hpp"
+#include "compare/outputs/summary_json.hpp"
+
+namespace compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run leaves in its folder, and so may be replaced by the next one; anything else there is the user's.
+bool is_run_file(const std::string& name) {
+  constexpr std::string_view names[] = {"run.h5",     "curves.csv", "summary.json", "figure.svg",
+                                        "figure.png", "lammps.log", "work"};
+  return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
+         (name.starts_with("atoms-") && name.ends_with(".extxyz"));
+}
+
+enum class Holds { nothing, finished_run, unfinished_run, something_else };
+
+Holds contents(const fs::path& folder) {
+  if (!fs::exists(folder)) return Holds::nothing;
+  if (!fs::is_directory(folder)) return Holds::something_else;
+  if (fs::exists(folder / "work" / "case.json")) return Holds::unfinished_run;
+  if (fs::exists(folder / "summary.json")) return Holds::finished_run;
+  return fs::is_empty(folder) ? Holds::nothing : Holds::something_else;
+}
+
+fs::path numbered(const std::string& name, int number) {
+  return fs::path("runs") / (number == 1 ? name : fmt::format("{}-{}", name, number));
+}
+
+/// The first free default folder, or with --resume the last one that exists.
+fs::path default_folder(const std::string& name, bool resume) {
+  int number = 1;
+  while (fs::exists(numbered(name, number))) ++number;
+  if (!resume) return numbered(name, number);
+  if (number == 1) throw bad_input("--resume: there is no run in '{}'; name its folder with --out", numbered(name, 1).string());
+  return numbered(name, number - 1);
+}
+
+void refuse_contents(const fs::path& folder, const RunOptions& options) {
+  switch (contents(folder)) {
+    case Holds::something_else:
+      throw bad_input("--out: '{}' exists and does not hold a run of this program; choose another folder",
+                      folder.string());
+    case Holds::finished_run:
+      if (!options.overwrite)
+        throw bad_input("--out: '{}' holds a finished run; --overwrite replaces it", folder.string());
+      break;
+    case Holds::unfinished_run:
+      if (!options.overwrite && !options.resume)
+        throw bad_input("--out: '{}' holds an unfinished run; --resume continues it, --overwrite starts again",
+                        folder.string());
+      break;
+    case Holds::nothing:
+      if (options.resume) throw bad_input("--resume: '{}' holds no unfinished run", folder.string());
+  }
+}
+
+void refuse_changed_case(const fs::path& saved, const Case& c) {
+  std::ifstream in(saved);
+  const auto before = nlohmann::ordered_json::parse(in, nullptr, false);
+  const auto now = case_document(c);
+  std::string changed;
+  for (const auto& [key, value] : now.items())
+    if (!before.is_object() || !before.contains(key) || before[key] != value)
+      changed += (changed.empty() ? "" : ", ") + key;
+  if (!changed.empty())
+    throw bad_input("--resume: the case has changed ({}); run it into a new folder", changed);
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const Case& c) {
+  path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume));
+  refuse_contents(path_, options);
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
+  lock();
+  if (options.resume) {
+    refuse_changed_case(work() / "case.json", c);
+  } else {
+    start(c);
+  }
+}
+
+RunFolder::~RunFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void RunFolder::lock() {
+  // Not close-on-exec: the atomistic program holds the lock for as long as it may still write.
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY);
+  if (lock_ < 0)
+    throw Error(ExitCode::file_failed, fmt::format("cannot open '{}': {}", path_.string(), std::strerror(errno)));
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0)
+    throw bad_input("--out: '{}' is in use by another run", path_.string());
+}
+
+void RunFolder::start(const Case& c) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path_))
+    if (is_run_file(entry.path().filename().string())) fs::remove_all(entry.path(), error);
+  if (!error) fs::create_directories(work(), error);
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", path_.string(), error.message()));
+  write_file(work() / "case.json", case_document(c).dump(1) + "\n");
+}
+
+void RunFolder::finish() {
+  std::error_code ignored;
+  fs::remove_all(work(), ignored);
+}
+
+}  // namespace compare

@@ -1,0 +1,36 @@
+// The folder of one run: who may use it, and whether what it holds is finished.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "compare/case.hpp"
+#include "compare/commands/run_options.hpp"
+
+namespace compare {
+
+/// A locked run folder. While the run is unfinished it has a subfolder `work` with the case, the atomistic program's
+/// jobs, logs and finished steps; finish() removes it.
+class RunFolder {
+ public:
+  /// Takes --out, or the first free runs/<default_name>, -2, -3, …; with --resume the newest of these.
+  /// Throws Error: bad input for a folder that holds something else, a finished run without --overwrite, an unfinished
+  /// one without --resume, or another case; file failed where it cannot be written; bad input where it is in use.
+  RunFolder(const RunOptions& options, const std::string& default_name, const Case& c);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path work() const { return path_ / "work"; }
+  void finish();
+
+ private:
+  void lock();
+  void start(const Case& c);
+
+  std::filesystem::path path_;
+  int lock_ = -1;  ///< inherited by the atomistic program, so that its steps are safe from a second run too
+};
+
+}  // namespace compare

@@ -1,0 +1,275 @@
+#include "compare/study.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <thread>
+
+#include "atomistic/protocol/step_file.hpp"
+#include "compare/agreement.hpp"
+#include "compare/curve.hpp"
+#include "compare/curves.hpp"
+#include "compare/errors.hpp"
+#include "compare/fit.hpp"
+#include "compare/interrupt.hpp"
+#include "compare/pairing.hpp"
+#include "compare/provenance.hpp"
+
+namespace compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Below this size a second MPI rank does not pay for its communication.
+constexpr int fewest_atoms_per_rank = 3000;
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void solve_membrane(MembraneExperiment& e) {
+  const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
+    append(e.run, step);
+    return !interrupted();
+  });
+  close(e.run, report);
+}
+
+/// Solves in a thread of its own while the atoms run; what it throws comes out of join().
+class MembraneThread {
+ public:
+  explicit MembraneThread(std::vector<MembraneExperiment>& experiments)
+      : thread_([this, &experiments] {
+          const double start = seconds();
+          try {
+            for (MembraneExperiment& e : experiments)
+              if (!interrupted()) solve_membrane(e);
+          } catch (...) {
+            failure_ = std::current_exception();
+          }
+          elapsed_s_ = seconds() - start;
+        }) {}
+
+  double join() {
+    thread_.join();
+    if (failure_) std::rethrow_exception(failure_);
+    return elapsed_s_;
+  }
+
+ private:
+  std::exception_ptr failure_;
+  double elapsed_s_ = 0;
+  std::jthread thread_;  // last: starts when the rest is there
+};
+
+std::vector<double> levels_of(const Case& c) {
+  return c.forces_eV_per_A.empty() ? depth_levels(c) : c.forces_eV_per_A;
+}
+
+std::vector<double> merged(std::vector<double> levels, const std::vector<double>& more) {
+  levels.insert(levels.end(), more.begin(), more.end());
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end(),
+                           [](double a, double b) { return b - a < 1e-9 * b; }),
+               levels.end());
+  return levels;
+}
+
+class Study {
+ public:
+  Study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options, Progress& progress)
+      : case_(c), potential_(potential), options_(options), progress_(progress) {
+    outcome_.result.resolved = c;
+    outcome_.result.provenance = provenance(command_line());
+  }
+
+  StudyOutcome run() {
+    const double start = seconds();
+    if (potential_) {
+      outcome_.result.provenance.potential_file = potential_->potential.file;
+      outcome_.result.provenance.potential_sha256 = potential_->sha256;
+      if (compute_card()) compare_models();
+    } else {
+      for (const std::string& load : case_.loads) membranes_.push_back(given_membrane(case_, load, levels_of(case_)));
+      compute_curves();
+    }
+    finish();
+    outcome_.result.timing.wall_s = seconds() - start;
+    return std::move(outcome_);
+  }
+
+ private:
+  bool wants_membrane() const { return case_.models != "atomistic"; }
+  bool wants_atoms() const { return potential_ && case_.models != "membrane"; }
+  fs::path work() const { return options_.folder / "work"; }
+
+  bool compute_card() {
+    progress_.say(fmt::format("potential card of {}", case_.potential));
+    const AtomsJob job{"card", {atomistic::CardJob{potential_->potential}, (work() / "card" / "log.lammps").string()}, 1};
+    const auto outcomes = run_jobs(options_.launch, {job}, work(), [&](std::size_t, const atomistic::Event& event) {
+      if (const auto* e = std::get_if<atomistic::CardEvent>(&event)) card_ = e->card;
+      note_start(event);
+    });
+    if (!outcomes[0].finished || !card_) {
+      outcome_.failure = "the potential card: " + outcomes[0].failure;
+      return false;
+    }
+    outcome_.result.card = summary_of(*card_);
+    progress_.say(fmt::format("card: a0 = {:.5f} Å, E·h = {:.3f} eV/Å², ν = {:.4f}", card_->a0_A,
+                              card_->sheet_modulus_eV_per_A2(), card_->nu()));
+    return true;
+  }
+
+  void note_start(const atomistic::Event& event) {
+    if (const auto* e = std::get_if<atomistic::StartEvent>(&event))
+      outcome_.result.provenance.lammps = lammps_release(e->lammps_version);
+  }
+
+  void compare_models() {
+    pair_.emplace(case_, potential_->potential, *card_);
+    for (const std::string& load : case_.loads) {
+      const std::vector<double> levels = merged(levels_of(case_), window_levels(load));
+      if (wants_atoms())
+        atoms_.push_back(atomistic_experiment(case_, potential_->potential, *card_, *pair_, load, levels));
+      if (wants_membrane()) {
+        membranes_.push_back(card_membrane(case_, *card_, *pair_, load, levels));
+        membranes_.push_back(paper_membrane(case_, load, levels_of(case_)));
+      }
+    }
+    if (wants_atoms()) {
+      outcome_.sheet = pair_->sheet();
+      outcome_.result.sheet = SheetSummary{
+          .radius_A = case_.radius_A,
+          .effective_radius_A = pair_->effective_radius_A(),
+          .atoms = pair_->sheet().atoms(),
+          .free_atoms = pair_->sheet().free_atoms,
+          .loaded_disc_atoms = static_cast<int>(atomistic::atoms_within(pair_->sheet(), case_.tip_radius_A).size())};
+    }
+    compute_curves();
+  }
+
+  /// Controlled depths that bring the depth of record just below the window's lower end and just above its upper one,
+  /// by the like-for-like membrane (its ratio of the two depths is within 1 % of the atoms').
+  std::vector<double> window_levels(const std::string& load) const {
+    constexpr double margin = 0.01;
+    if (load != case_.judged_load || case_.models != "both" || !case_.forces_eV_per_A.empty()) return {};
+    MembraneExperiment scout = card_membrane(case_, *card_, *pair_, load, levels_of(case_));
+    solve_membrane(scout);
+    if (scout.run.depth_A.size() < 2) return {};
+    const Curve controlled(scout.run.depth_A, scout.run.conjugate_depth_A);
+    std::vector<double> levels;
+    const double a = pair_->effective_radius_A();
+    for (const double depth : {case_.window.front() * a * (1 - margin), case_.window.back() * a * (1 + margin)})
+      if (const auto level = controlled.force_eV_per_A(depth)) levels.push_back(*level);
+    return levels;
+  }
+
+  void compute_curves() {
+    MembraneThread membranes(membranes_);
+    if (!atoms_.empty()) compute_atoms();
+    outcome_.result.timing.membrane_s = membranes.join();
+    if (interrupted()) throw Error(ExitCode::interrupted, "interrupted");
+  }
+
+  fs::path steps_folder(const AtomisticExperiment& e) const { return work() / e.run.load / "steps"; }
+
+  int ranks_per_curve() const {
+    if (options_.ranks > 0) return options_.ranks;
+    if (!options_.launch.launcher.empty() || !has_mpiexec()) return 1;
+    const int side_by_side = std::min<int>(options_.launch.cores, static_cast<int>(atoms_.size()));
+    return std::clamp(pair_->sheet().atoms() / fewest_atoms_per_rank, 1, options_.launch.cores / side_by_side);
+  }
+
+  void compute_atoms() {
+    const double start = seconds();
+    std::vector<AtomsJob> jobs;
+    for (const AtomisticExperiment& e : atoms_) {
+      fs::create_directories(steps_folder(e));
+      jobs.push_back({e.run.load,
+                      {atomistic::CurveJob{e.problem, steps_folder(e).string()},
+                       (work() / e.run.load / "log.lammps").string()},
+                      ranks_per_curve()});
+    }
+    progress_.say(fmt::format("{} atoms, {} curve(s), {} rank(s) each", pair_->sheet().atoms(), jobs.size(),
+                              jobs.front().ranks));
+    std::vector<std::optional<atomistic::Report>> reports(jobs.size());
+    const auto outcomes =
+        run_jobs(options_.launch, jobs, work(), [&](std::size_t index, const atomistic::Event& event) {
+          note_start(event);
+          if (const auto* e = std::get_if<atomistic::ProgressEvent>(&event)) show(index, *e);
+          if (const auto* e = std::get_if<atomistic::StepEvent>(&event)) tell(index, *e);
+          if (const auto* e = std::get_if<atomistic::EndEvent>(&event)) reports[index] = e->report;
+        });
+    for (std::size_t i = 0; i < atoms_.size(); ++i) collect(atoms_[i], reports[i], outcomes[i]);
+    outcome_.result.timing.atomistic_s = seconds() - start;
+  }
+
+  /// The run of a curve is rebuilt from its step files: what a kill or an error leaves is never more than they hold.
+  void collect(AtomisticExperiment& e, const std::optional<atomistic::Report>& report, const AtomsOutcome& outcome) {
+    for (const atomistic::Step& step : atomistic::read_finished_steps(steps_folder(e)))
+      append(e.run, step, potential_->potential.artefact_bond_A);
+    if (outcome.finished && report) {
+      close(e.run, *report);
+      Timing& timing = outcome_.result.timing;
+      timing.force_calls = timing.force_calls.value_or(0) + report->force_calls;
+      timing.force_s = timing.force_s.value_or(0) + report->force_s;
+    } else {
+      e.run.ended.reset();
+      e.run.ended_reason = outcome.failure;
+      if (outcome_.failure.empty()) outcome_.failure = fmt::format("atoms, {} load: {}", e.run.load, outcome.failure);
+    }
+  }
+
+  /// Levels done so far, a level in progress counting half.
+  void show(std::size_t index, const atomistic::ProgressEvent& event) {
+    const auto& levels = atoms_[index].problem.levels;
+    done_[atoms_[index].run.load] = (event.level + 0.5) / static_cast<double>(levels.size());
+    double sum = 0;
+    for (const auto& [load, done] : done_) sum += done;
+    const double fraction = sum / static_cast<double>(atoms_.size());
+    const double left = progress_.elapsed_s() * (1 - fraction) / std::max(fraction, 1e-3);
+    progress_.status(fmt::format("{} about {:.0f} s left; {}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å",
+                                 bar(fraction), left, atoms_[index].run.load, event.level + 1, levels.size(),
+                                 event.evaluations, event.max_force_eV_per_A));
+  }
+
+  void tell(std::size_t index, const atomistic::StepEvent& event) {
+    const AtomisticExperiment& e = atoms_[index];
+    const atomistic::Step step = atomistic::read_step(steps_folder(e) / event.file);
+    progress_.say(fmt::format("atoms {:5} {:2}/{}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}",
+                              e.run.load, event.level + 1, e.problem.levels.size(), step.depth_A, step.force_eV_per_A,
+                              step.evaluations, step.longest_bond_A,
+                              step.longest_bond_A >= e.problem.potential.artefact_bond_A - 0.02 ? "  (near the artefact zone)" : ""));
+  }
+
+  void finish() {
+    Result& result = outcome_.result;
+    for (AtomisticExperiment& e : atoms_) result.runs.push_back(std::move(e.run));
+    for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));
+    for (Run& run : result.runs) fit_run(run);
+    judge(result);
+  }
+
+  const Case& case_;
+  const std::optional<PotentialFile>& potential_;
+  const StudyOptions& options_;
+  Progress& progress_;
+  std::optional<atomistic::Card> card_;
+  std::optional<PairedSheet> pair_;
+  std::vector<AtomisticExperiment> atoms_;
+  std::vector<MembraneExperiment> membranes_;
+  std::map<std::string, double> done_;
+  StudyOutcome outcome_;
+};
+
+}  // namespace
+
+StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
+                       Progress& progress) {
+  return Study(c, potential, options, progress).run();
+}
+
+}  // namespace compare

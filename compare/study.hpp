@@ -1,0 +1,34 @@
+// The comparison itself: card, curves of both models, fits and verdict, for one case.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "atomistic/sheet.hpp"
+#include "compare/atoms.hpp"
+#include "compare/case.hpp"
+#include "compare/potential_file.hpp"
+#include "compare/progress.hpp"
+#include "compare/result.hpp"
+
+namespace compare {
+
+struct StudyOptions {
+  AtomsLaunch launch;
+  int ranks = 0;                      ///< per curve; 0: chosen from the cores and the size of the sheet
+  std::filesystem::path folder;       ///< of the run; holds `work`
+};
+
+/// What a study produced, and what failed on the way: nothing computed is lost to a failure.
+struct StudyOutcome {
+  Result result;
+  std::optional<atomistic::Sheet> sheet;  ///< where atoms were asked for
+  std::string failure;  ///< of the atomistic program; empty: none
+};
+
+/// Runs the case. `potential` is there unless the case has its own constants.
+StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
+                       Progress& progress);
+
+}  // namespace compare

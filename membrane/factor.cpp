@@ -1,0 +1,60 @@
+#include "membrane/factor.hpp"
+
+#include <omp.h>
+
+#include <cmath>
+
+namespace membrane {
+namespace {
+
+constexpr double smallest_shift = 1e-10;  // of the largest diagonal entry
+constexpr double growth = 100;
+
+/// CHOLMOD 3 opens four OpenMP threads for every supernode, whatever OMP_NUM_THREADS says; for matrices of
+/// this size they only wait for each other (twice the time), and other models want the cores. Without an
+/// active level a parallel region has one thread.
+class OneThread {
+ public:
+  OneThread() { omp_set_max_active_levels(0); }
+  ~OneThread() { omp_set_max_active_levels(before_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int before_ = omp_get_max_active_levels();
+};
+
+}  // namespace
+
+Factor::Factor() {
+  cholesky_.cholmod().print = 0;  // "not positive definite" is an answer here, not news for a terminal
+}
+
+bool Factor::attempt(const Matrix& lower, double shift) {
+  const OneThread one_thread;
+  ++count_;
+  shift_ = shift;
+  cholesky_.setShift(shift);
+  cholesky_.factorize(lower);
+  ready_ = cholesky_.info() == Eigen::Success;
+  return ready_;
+}
+
+bool Factor::factorise(const Matrix& lower) {
+  if (!analysed_) {
+    cholesky_.analyzePattern(lower);
+    analysed_ = true;
+  }
+  return attempt(lower, 0);
+}
+
+bool Factor::factorise_shifted(const Matrix& lower) {
+  if (factorise(lower)) return true;
+  const double scale = lower.diagonal().cwiseAbs().maxCoeff();
+  if (!(scale > 0) || !std::isfinite(scale)) return false;
+  for (double share = smallest_shift; share <= 1; share *= growth)
+    if (attempt(lower, share * scale)) return true;
+  return false;
+}
+
+}  // namespace membrane

@@ -1,0 +1,86 @@
+#include "membrane/grading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace membrane {
+namespace {
+
+constexpr double width_exponent = 7.0 / 9;
+constexpr double growth = 1 - width_exponent;
+/// Widths just outside the load's edge over those inside. A ring's number is also its number of segments, so
+/// rings spent under the load refine the angle everywhere outside: with 2 the force under a disc of a/11 errs
+/// least (0.12 % with 44 rings; 0.15 % with 1, 0.12 % with 3, falling as the square of the rings).
+constexpr double edge_widening = 2;
+constexpr int fewest_rings_under_load = 6;
+
+/// Ring coordinate s(r) = ∫ dr/h, up to a factor, and its inverse. Under the load it rises to edge_widening.
+class Grading {
+ public:
+  explicit Grading(double load_radius) : c_(load_radius) {}
+
+  double coordinate(double r) const {
+    if (c_ == 0) return std::pow(r, growth);
+    return r <= c_ ? edge_widening * r / c_ : edge_widening + (std::pow(r / c_, growth) - 1) / growth;
+  }
+  double radius(double s) const {
+    if (c_ == 0) return std::pow(s, 1 / growth);
+    return s <= edge_widening ? c_ * s / edge_widening
+                              : c_ * std::pow(1 + growth * (s - edge_widening), 1 / growth);
+  }
+
+ private:
+  double c_;
+};
+
+struct Anchor {
+  double radius;
+  int ring;
+};
+
+/// Ring of the load's edge: its share of the coordinate, but enough rings on both sides.
+Anchor load_anchor(const Grading& grading, const RingDemand& demand) {
+  const double share = grading.coordinate(demand.load_radius_A) / grading.coordinate(demand.sheet_radius_A);
+  const int inside = static_cast<int>(std::lround(share * demand.rings));
+  return {demand.load_radius_A,
+          std::clamp(inside, std::min(fewest_rings_under_load, demand.rings / 2), demand.rings - 1)};
+}
+
+/// Puts a ring on the record radius, into the interval of anchors that holds it; left out within a quarter of
+/// a ring's width of an anchor, where it would make slivers.
+void add_record_anchor(const Grading& grading, double radius, std::vector<Anchor>& anchors) {
+  const auto above =
+      std::find_if(anchors.begin(), anchors.end(), [&](const Anchor& a) { return a.radius > radius; });
+  if (above == anchors.begin() || above == anchors.end()) return;
+  const Anchor below = *(above - 1);
+  const double low = grading.coordinate(below.radius);
+  const double share = (grading.coordinate(radius) - low) / (grading.coordinate(above->radius) - low);
+  const int rings = above->ring - below.ring;
+  if (rings < 2 || share * rings < 0.25 || (1 - share) * rings < 0.25) return;
+  const int ring = below.ring + std::clamp(static_cast<int>(std::lround(share * rings)), 1, rings - 1);
+  anchors.insert(above, {radius, ring});
+}
+
+}  // namespace
+
+std::vector<double> graded_radii(const RingDemand& demand) {
+  const Grading grading(demand.load_radius_A);
+  std::vector<Anchor> anchors{{0, 0}};
+  if (demand.load_radius_A > 0) anchors.push_back(load_anchor(grading, demand));
+  anchors.push_back({demand.sheet_radius_A, demand.rings});
+  if (demand.record_radius_A > 0) add_record_anchor(grading, demand.record_radius_A, anchors);
+
+  std::vector<double> radii(demand.rings + 1);
+  for (std::size_t i = 1; i < anchors.size(); ++i) {
+    const auto& [low_radius, low] = anchors[i - 1];
+    const auto& [high_radius, high] = anchors[i];
+    const double from = grading.coordinate(low_radius);
+    const double to = grading.coordinate(high_radius);
+    for (int ring = low + 1; ring < high; ++ring)
+      radii[ring] = grading.radius(from + (to - from) * (ring - low) / (high - low));
+    radii[high] = high_radius;  // exactly, not to rounding
+  }
+  return radii;
+}
+
+}  // namespace membrane

@@ -1,0 +1,27 @@
+// Where the rings of a disc go: dense where the surface bends, an edge exactly on the load's radius.
+#pragma once
+
+#include <vector>
+
+namespace membrane {
+
+/// What the ring radii of a disc must respect, Å.
+struct RingDemand {
+  double sheet_radius_A = 0;
+  double load_radius_A = 0;  ///< 0: point load; otherwise some ring lies exactly here
+  double record_radius_A =
+      0;          ///< 0: none; otherwise a ring lies here too, unless the load's edge is too close
+  int rings = 0;  ///< at least fewest_rings
+};
+
+inline constexpr int fewest_rings = 8;
+
+/// Radii r_0 = 0 < r_1 < … < r_rings = sheet radius, Å.
+///
+/// Ring widths h(r) make every ring's share of the error equal. In a membrane pulled by a tip w' ~ r^(−1/3)
+/// and N_r ~ r^(−2/3); linear elements err in energy by ∫ h² w''² N_r r dr, least for h ~ r^(7/9), i.e. r ~
+/// s^4.5 in the ring number s. Under a disc load the slope is about linear up to the edge: constant h inside
+/// and r^(7/9) outside.
+std::vector<double> graded_radii(const RingDemand& demand);
+
+}  // namespace membrane

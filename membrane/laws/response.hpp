@@ -1,0 +1,41 @@
+// What a material law is asked and what it answers.
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+
+namespace membrane {
+
+/// Green–Lagrange strain as [E11, E22, 2 E12], or second Piola–Kirchhoff membrane force as [S11, S22, S12]:
+/// their dot product is the work S:E.
+using Voigt = Eigen::Vector3d;
+
+/// A law at one strain, all in membrane forces (thickness folded in).
+struct Response {
+  double energy_eV_per_A2 = 0;                                  ///< psi, per reference area
+  Voigt force_eV_per_A2 = Voigt::Zero();                        ///< S = d psi / dE
+  Eigen::Matrix3d tangent_eV_per_A2 = Eigen::Matrix3d::Zero();  ///< dS / d[E11, E22, 2 E12], symmetric
+};
+
+/// A law under tension along one axis only, the width free: what is left of it when wrinkled.
+struct UniaxialResponse {
+  double energy_eV_per_A2 = 0;   ///< psi at the natural width
+  double force_eV_per_A2 = 0;    ///< S1, the only membrane force
+  double tangent_eV_per_A2 = 0;  ///< dS1 / dE1 along the natural width
+};
+
+/// An isotropic law: public parameters, its small-strain constants, one call E -> (psi, S, dS/dE), and the
+/// same with the width free. The prestress is no business of a law: it enters as an offset strain.
+template <class L>
+concept MaterialLaw = requires(const L& law, const Voigt& strain, double axial_strain) {
+  { law.sheet_modulus_eV_per_A2 } -> std::convertible_to<double>;  ///< E·h
+  { law.nu } -> std::convertible_to<double>;
+  { law(strain) } -> std::same_as<Response>;
+  /// Strain across the axis at which the force across vanishes (the natural width).
+  { law.natural_width(axial_strain) } -> std::same_as<double>;
+  { law.uniaxial(axial_strain) } -> std::same_as<UniaxialResponse>;
+  /// Throws std::invalid_argument when the parameters make no sense.
+  { law.check() } -> std::same_as<void>;
+};
+
+}  // namespace membrane

@@ -1,0 +1,45 @@
+// Plane-stress St Venant–Kirchhoff, the law of Gil et al. 2010 (their Eq. 2, with its misprint corrected).
+#pragma once
+
+#include <cmath>
+
+#include "membrane/laws/response.hpp"
+#include "membrane/refusal.hpp"
+
+namespace membrane {
+
+/// psi = E·h / (2 (1 − nu²)) (E1² + E2² + 2 nu E1 E2),  S = C̄:E.
+struct StVenantKirchhoff {
+  double sheet_modulus_eV_per_A2 = 0;  ///< E·h, uniaxial modulus times thickness
+  double nu = 0;                       ///< Poisson ratio, in (−1, 1)
+
+  Response operator()(const Voigt& strain) const {
+    const double c = sheet_modulus_eV_per_A2 / (1 - nu * nu);
+    Response at;
+    at.tangent_eV_per_A2 << c, nu * c, 0,  //
+        nu * c, c, 0,                      //
+        0, 0, 0.5 * (1 - nu) * c;
+    at.force_eV_per_A2 = at.tangent_eV_per_A2 * strain;
+    at.energy_eV_per_A2 = 0.5 * at.force_eV_per_A2.dot(strain);
+    return at;
+  }
+
+  /// S2 = 0 at E2 = −nu E1.
+  double natural_width(double axial_strain) const { return -nu * axial_strain; }
+
+  /// psi = E·h E1² / 2: with the width free the law is Hooke's in (E1, S1).
+  UniaxialResponse uniaxial(double axial_strain) const {
+    const double force = sheet_modulus_eV_per_A2 * axial_strain;
+    return {0.5 * force * axial_strain, force, sheet_modulus_eV_per_A2};
+  }
+
+  void check() const {
+    if (!(sheet_modulus_eV_per_A2 > 0) || !std::isfinite(sheet_modulus_eV_per_A2))
+      refuse("law.sheet_modulus_eV_per_A2", sheet_modulus_eV_per_A2, "must be positive and finite");
+    if (!(nu > -1 && nu < 1)) refuse("law.nu", nu, "must lie between -1 and 1, both excluded");
+  }
+};
+
+static_assert(MaterialLaw<StVenantKirchhoff>);
+
+}  // namespace membrane

@@ -1,0 +1,54 @@
+// The relaxed (tension-field) form of any isotropic law: compression is given up for free by wrinkling.
+// Gil et al. 2010, Eqs. 7, 9, 12 (corrected), 15, written in the offset strain Ē = E + E0;
+// quasi-convexification after Pipkin, IMA J. Appl. Math. 36 (1986) 85, and Steigmann, Proc. R. Soc. A 429
+// (1990) 141.
+#pragma once
+
+#include "membrane/laws/principal.hpp"
+#include "membrane/laws/response.hpp"
+
+namespace membrane {
+
+enum class SheetState { taut, wrinkled, slack };
+
+/// The branch of the relaxed energy at principal strains Ē1 ≥ Ē2. The natural width decides, not the sign of
+/// S2, so that a law that softens in compression is judged rightly too.
+template <MaterialLaw L>
+SheetState sheet_state(const L& law, const Principal& strain) {
+  if (!(strain.larger > 0)) return SheetState::slack;
+  return strain.smaller > law.natural_width(strain.larger) ? SheetState::taut : SheetState::wrinkled;
+}
+
+/// psi(Ē1) of the uniaxial law with S = S1 M1⊗M1 and
+/// dS/dE = dS1/dE1 M1⊗M1⊗M1⊗M1 + S1 / (2(Ē1 − Ē2)) (M1⊗M2 + M2⊗M1)⊗(M1⊗M2 + M2⊗M1):
+/// the second term turns the wrinkles with the strain. Ē1 > Ē2 here, since equal positive strains are taut.
+template <MaterialLaw L>
+Response wrinkled_response(const L& law, const Principal& strain) {
+  const UniaxialResponse along = law.uniaxial(strain.larger);
+  const Voigt m11 = strain.axial();
+  const Voigt m12 = strain.shear();
+  const double turning = along.force_eV_per_A2 / (2 * (strain.larger - strain.smaller));
+  Response at;
+  at.energy_eV_per_A2 = along.energy_eV_per_A2;
+  at.force_eV_per_A2 = along.force_eV_per_A2 * m11;
+  at.tangent_eV_per_A2 = along.tangent_eV_per_A2 * m11 * m11.transpose() + turning * m12 * m12.transpose();
+  return at;
+}
+
+/// The relaxed law at the offset strain Ē (prestress included): taut, wrinkled or slack, C¹ over both
+/// borders.
+template <MaterialLaw L>
+Response tension_field(const L& law, const Voigt& offset_strain) {
+  const Principal strain = principal_strains(offset_strain);
+  switch (sheet_state(law, strain)) {
+    case SheetState::taut:
+      return law(offset_strain);
+    case SheetState::wrinkled:
+      return wrinkled_response(law, strain);
+    case SheetState::slack:
+      break;
+  }
+  return {};
+}
+
+}  // namespace membrane

@@ -1,0 +1,31 @@
+// A load as a pattern: non-negative weights on the nodes with unit total, acting along −z.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "membrane/mesh.hpp"
+#include "membrane/problem.hpp"
+
+namespace membrane {
+
+/// Weights p over the nodes, p ≥ 0, Σ p = 1. A force F puts −F p_i on node i along z; its work-conjugate
+/// depth is d = Σ p_i (−z_i).
+struct Pattern {
+  Eigen::VectorXd weights;
+
+  /// dd/du over all degrees of freedom: −p_i at the z components, 0 elsewhere.
+  Eigen::VectorXd direction() const;
+};
+
+/// The whole force on one node. Throws std::out_of_range for a node that is not there.
+Pattern point_pattern(const Mesh& mesh, int node);
+
+/// Uniform per reference area over the triangles within radius_A of the origin, whose edge must lie on
+/// element edges. The total is one whatever area the chords cut off. Throws std::invalid_argument if none
+/// lies inside.
+Pattern disc_pattern(const Mesh& mesh, double radius_A);
+
+/// The pattern of a load on a sheet whose tip is node 0.
+Pattern make_pattern(const Load& load, const Mesh& mesh);
+
+}  // namespace membrane

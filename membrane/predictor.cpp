@@ -1,0 +1,55 @@
+#include "membrane/predictor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace membrane {
+namespace {
+
+constexpr std::size_t most_points = 4;  // a higher polynomial gains nothing over steps of ordinary length
+
+}  // namespace
+
+void Predictor::add(PathPoint point) {
+  std::erase_if(points_, [&](const PathPoint& old) {  // coincident abscissae have no polynomial
+    return std::abs(old.conjugate_depth_A - point.conjugate_depth_A) < 1e-6 * point.conjugate_depth_A;
+  });
+  points_.push_back(std::move(point));
+  if (points_.size() > most_points) points_.pop_front();
+}
+
+Eigen::VectorXd Predictor::displacements(double conjugate_depth_A) const {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(last().u.size());
+  const Eigen::Index nodes = u.size() / 3;
+  for (const PathPoint& point : points_) {
+    double weight = 1;
+    for (const PathPoint& other : points_)
+      if (&other != &point)
+        weight *= (conjugate_depth_A - other.conjugate_depth_A) /
+                  (point.conjugate_depth_A - other.conjugate_depth_A);
+    const double ratio = conjugate_depth_A / point.conjugate_depth_A;
+    const Eigen::Vector3d scale = weight * Eigen::Vector3d(ratio * ratio, ratio * ratio, ratio);
+    u.reshaped(3, nodes) += scale.asDiagonal() * point.u.reshaped(3, nodes);
+  }
+  return u;
+}
+
+double Predictor::conjugate_depth(double force_eV_per_A) const {
+  const PathPoint& from = last();
+  const double reach = std::log(force_eV_per_A / from.force_eV_per_A);
+  // Between a force that stretches (1/3) and one that only tilts (1); a shifted factor may say anything else.
+  const double slope = std::clamp(from.compliance * from.force_eV_per_A / from.conjugate_depth_A, 0.2, 1.2);
+  double curvature = 0;
+  if (points_.size() > 1) {
+    const PathPoint& before = *(points_.end() - 2);
+    const double back = std::log(before.force_eV_per_A / from.force_eV_per_A);
+    const double fall = std::log(before.conjugate_depth_A / from.conjugate_depth_A);
+    if (std::abs(back) > 1e-6) curvature = (fall - slope * back) / (back * back);
+  }
+  // The parabola is a local guess: never let its bend outweigh the slope.
+  const double bend = std::clamp(curvature * reach, -0.5 * slope, 0.5 * slope);
+  return from.conjugate_depth_A * std::exp((slope + bend) * reach);
+}
+
+}  // namespace membrane

@@ -1,0 +1,133 @@
+#include "compare/agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace compare;
+
+namespace {
+
+// a = 100 Å, so depth/a is the depth in per cent. The membrane is F = (depth/10)³ at other depths than the
+// atoms'.
+Run membrane() {
+  compare::Run run;
+  run.load = "disc";
+  run.constants = Constants::card;
+  run.a_A = 100;
+  for (double d = 1; d < 30; d += 2) {
+    run.depth_A.push_back(d);
+    run.force_eV_per_A.push_back(std::pow(d / 10, 3));
+    run.converged.push_back(true);
+  }
+  return run;
+}
+
+Run atoms(const std::vector<double>& depths, const std::vector<double>& ratios) {
+  compare::Run run;
+  run.model = Model::atomistic;
+  run.load = "disc";
+  run.a_A = 100;
+  run.depth_A = depths;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    run.force_eV_per_A.push_back(ratios[i] * std::pow(depths[i] / 10, 3));
+  }
+  run.converged.assign(depths.size(), true);
+  run.artefact.assign(depths.size(), false);
+  return run;
+}
+
+Result result_with(const Run& atomistic) {
+  Result result;
+  result.runs = {atomistic, membrane()};
+  return result;
+}
+
+TEST(Agreement, JudgesTheWindowAndTheDepthsThatBracketIt) {
+  //                                        below  ≤lo  inside      ≥hi  above
+  Result result = result_with(atoms({6, 8, 9.8, 11, 13, 15.2, 18}, {2, 2, 1.01, 1.02, 0.97, 0.95, 2}));
+  judge(result);
+  ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+  EXPECT_EQ(result.agreement->depth_A, (std::vector{9.8, 11.0, 13.0, 15.2}));
+  EXPECT_NEAR(result.agreement->max_relative_difference, 0.05, 1e-9);
+  EXPECT_NEAR(result.agreement->ratio[0], 1.01, 1e-9);
+  EXPECT_TRUE(result.agreement->passed);
+  EXPECT_EQ(result.agreement->against, "membrane");
+  EXPECT_EQ(result.agreement->load, "disc");
+}
+
+TEST(Agreement, DepthsOnTheBordersAreTheEnds) {
+  // 10.000001 is what a solver gives back for 10.
+  Result result = result_with(atoms({8, 10.000001, 12, 14.999999, 17}, {2, 1.01, 1.02, 1.03, 2}));
+  judge(result);
+  ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+  EXPECT_EQ(result.agreement->depth_A, (std::vector{10.000001, 12.0, 14.999999}));
+}
+
+TEST(Agreement, BeyondTheToleranceFails) {
+  for (const double worst : {1.0601, 0.9399}) {
+    Result result = result_with(atoms({10, 12, 15}, {1, worst, 1}));
+    judge(result);
+    ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+    EXPECT_FALSE(result.agreement->passed) << worst;
+  }
+  Result result = result_with(atoms({10, 12, 15}, {1, 1.0599, 1}));
+  judge(result);
+  EXPECT_TRUE(result.agreement->passed);
+}
+
+TEST(Agreement, UsesTheAtomsRadiusTheCasesWindowAndLoad) {
+  compare::Run wider = atoms({5, 10, 20, 31}, {1, 1, 1, 1});
+  wider.a_A = 200;  // window 20 … 30 Å
+  Result result = result_with(wider);
+  result.runs[1].depth_A.back() = 40;
+  result.runs[1].force_eV_per_A.back() = 64;
+  judge(result);
+  ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+  EXPECT_EQ(result.agreement->depth_A, (std::vector{20.0, 31.0}));
+
+  result.resolved.window = {0.04, 0.06};
+  judge(result);
+  ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+  EXPECT_EQ(result.agreement->depth_A, (std::vector{5.0, 10.0, 20.0}));
+
+  result.resolved.judged_load = "point";
+  judge(result);
+  EXPECT_FALSE(result.agreement);
+  EXPECT_EQ(result.agreement_skipped, "there is no atomistic run of the point load");
+}
+
+std::string reason_for(Result result) {
+  judge(result);
+  EXPECT_FALSE(result.agreement);
+  return result.agreement_skipped;
+}
+
+TEST(Agreement, APathThatEndedEarlyGivesNoVerdict) {
+  compare::Run short_path = atoms({8, 10, 12}, {1, 1, 1});
+  short_path.ended = Ended::rupture;
+  EXPECT_EQ(reason_for(result_with(short_path)),
+            "the atoms' curve ends at depth/a = 0.120 (rupture), the window at 0.150");
+  EXPECT_EQ(reason_for(result_with(atoms({11, 12, 16}, {1, 1, 1}))),
+            "the atoms' curve begins at depth/a = 0.110, the window at 0.100");
+  EXPECT_EQ(reason_for(result_with(atoms({}, {}))), "the atoms' curve has no usable point");
+
+  compare::Run artefact = atoms({8, 10, 12, 15}, {1, 1, 1, 1});
+  artefact.artefact.back() = true;
+  artefact.ended = Ended::artefact;
+  EXPECT_EQ(reason_for(result_with(artefact)),
+            "the atoms' curve ends at depth/a = 0.120 (artefact), the window at 0.150");
+}
+
+TEST(Agreement, AMembraneThatDoesNotCoverTheDepthsGivesNoVerdict) {
+  Result result = result_with(atoms({10, 12, 15}, {1, 1, 1}));
+  result.runs[1].converged.assign(15, false);
+  EXPECT_NE(reason_for(result).find("make no curve"), std::string::npos);
+  for (const int i : {0, 1, 2, 3, 4, 5, 6}) result.runs[1].converged[i] = true;
+  EXPECT_EQ(reason_for(result),
+            "the membrane's curve covers depths from 1.00 to 13.00 Å, not the atoms' 15.00 Å");
+  result.runs[1].constants = Constants::paper;  // not like for like
+  EXPECT_EQ(reason_for(result), "there is no membrane (card constants) run of the disc load");
+}
+
+}  // namespace
