@@ -20,8 +20,13 @@ class ProjectedPreconditioner {
 
   VectorXd operator()(const VectorXd& g) const {
     VectorXd s = problem_.precondition(g);
-    if (direction_.size()) s -= direction_ * (problem_.constraint.dot(s) / stiffness_);
+    project(s);
     return s;
+  }
+
+  /// Removes what leaves the subspace, along P⁻¹c.
+  void project(VectorXd& s) const {
+    if (direction_.size()) s -= direction_ * (problem_.constraint.dot(s) / stiffness_);
   }
 
   double multiplier(const VectorXd& g) const {
@@ -55,6 +60,7 @@ VectorXd descent_direction(const VectorXd& gradient, const std::deque<Pair>& pai
   VectorXd r = p(q);
   for (std::size_t k = 0; k < pairs.size(); ++k)
     r += (alpha[k] - pairs[k].rho * pairs[k].y.dot(r)) * pairs[k].s;
+  p.project(r);  // rounding in the history would grow from one iteration to the next
   return -r;
 }
 

@@ -61,7 +61,8 @@ void Newton::measure(const Target& target, Equilibrium& at) {
   release_held(residual_);
   const double residual = residual_.norm();
   at.relative_residual = relative(residual, std::abs(at.force_eV_per_A) * direction_.norm());
-  at.converged = at.relative_residual <= tolerance || residual <= rounding * assembly_.part_norm();
+  at.converged = std::isfinite(residual) &&
+                 (at.relative_residual <= tolerance || residual <= rounding * assembly_.part_norm());
 }
 
 /// Moves u, energy_ and gradient_ along step_ as far as the potential energy U − F d falls enough. Where its

@@ -1,0 +1,47 @@
+#include "atomistic/predictor.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace atomistic;
+using Eigen::VectorXd;
+
+/// u(t) with in-plane c t² and out-of-plane d t.
+PathState scaling_state(double t) {
+  PathState s{t, VectorXd(6)};
+  s.displacement << 0.1 * t * t, -0.2 * t * t, -t, 0.3 * t * t, 0, -0.5 * t;
+  return s;
+}
+
+TEST(Predictor, OneStateScalesInPlaneBySquareAndOutOfPlaneLinearly) {
+  EXPECT_TRUE(extrapolate({scaling_state(2)}, 3).isApprox(scaling_state(3).displacement, 1e-14));
+}
+
+TEST(Predictor, TwoStatesGiveTheSecant) {
+  const PathState a{1, VectorXd::Constant(3, 2.0)}, b{2, VectorXd::Constant(3, 5.0)};
+  EXPECT_TRUE(extrapolate({a, b}, 4).isApprox(VectorXd::Constant(3, 11.0), 1e-14));
+}
+
+TEST(Predictor, ThreeStatesReproduceAParabola) {
+  const std::vector<PathState> states = {scaling_state(1), scaling_state(1.5), scaling_state(3)};
+  EXPECT_TRUE(extrapolate(states, 4).isApprox(scaling_state(4).displacement, 1e-13));
+}
+
+TEST(Predictor, UsesTheNewestThree) {
+  std::vector<PathState> states = {{0.5, VectorXd::Constant(6, 99)}, scaling_state(1), scaling_state(1.5), scaling_state(3)};
+  EXPECT_TRUE(extrapolate(states, 4).isApprox(scaling_state(4).displacement, 1e-13));
+}
+
+TEST(Predictor, FirstGuessIsDeepestAtTheAxisAndZeroAtTheClamp) {
+  const Sheet sheet = make_sheet(20, 2.46, 0, 5);
+  const VectorXd u = first_guess(sheet, 2);
+  for (int i = 0; i < sheet.free_atoms; ++i) {
+    EXPECT_LE(u[3 * i + 2], 0.0);
+    EXPECT_GE(u[3 * i + 2], -2.0);
+  }
+  const double r = sheet.position(sheet.hexagon[0]).norm();  // Schwerin's shape at the hexagon
+  EXPECT_NEAR(u[3 * sheet.hexagon[0] + 2], -2 * (1 - std::pow(r / 20, 2.0 / 3)), 1e-12);
+}
+
+}  // namespace

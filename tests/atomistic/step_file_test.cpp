@@ -1,0 +1,86 @@
+#include "atomistic/protocol/step_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace {
+
+using namespace atomistic;
+namespace fs = std::filesystem;
+
+class StepFile : public testing::Test {
+ protected:
+  fs::path folder = fs::temp_directory_path() /
+                    ("steps-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  void SetUp() override { fs::remove_all(folder), fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  static Step step(int level) {
+    Step s;
+    s.level = level;
+    s.converged = true;
+    s.depth_A = 1.25;
+    s.force_eV_per_A = 0.1 + level;
+    s.longest_bond_A = 1.5;
+    s.evaluations = 9;
+    s.positions = Eigen::VectorXd::Random(12);
+    s.forces = Eigen::VectorXd::Random(12);
+    s.factorised_at = Eigen::VectorXd::Random(12);
+    return s;
+  }
+};
+
+TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
+  const Step before = step(3);
+  write_step(before, folder);
+  const Step after = read_step(folder / step_file_name(3));
+  EXPECT_EQ(after.level, 3);
+  EXPECT_TRUE(after.converged);
+  EXPECT_EQ(after.depth_A, before.depth_A);
+  EXPECT_EQ(after.force_eV_per_A, before.force_eV_per_A);
+  EXPECT_EQ(after.longest_bond_A, before.longest_bond_A);
+  EXPECT_EQ(after.evaluations, 9);
+  EXPECT_EQ(after.positions, before.positions);
+  EXPECT_EQ(after.forces, before.forces);
+  EXPECT_EQ(after.factorised_at, before.factorised_at);
+}
+
+TEST_F(StepFile, FinishedStepsEndAtTheFirstGap) {
+  for (int level : {0, 1, 3}) write_step(step(level), folder);
+  EXPECT_EQ(read_finished_steps(folder).size(), 2u);
+  EXPECT_EQ(read_last_step(folder)->level, 1);
+  EXPECT_FALSE(read_last_step(folder / "nowhere"));
+}
+
+TEST_F(StepFile, AFileCutShortIsRefusedByName) {
+  write_step(step(0), folder);
+  const fs::path file = folder / step_file_name(0);
+  for (const auto size : {fs::file_size(file) - 8, std::uintmax_t{10}}) {
+    fs::resize_file(file, size);
+    try {
+      read_step(file);
+      FAIL() << size;
+    } catch (const std::runtime_error& e) {
+      EXPECT_NE(std::string(e.what()).find(file.string()), std::string::npos);
+    }
+  }
+}
+
+TEST_F(StepFile, AnUnfinishedWriteIsNotSeen) {
+  std::ofstream(folder / (step_file_name(0).string() + ".part")) << "half";
+  EXPECT_TRUE(read_finished_steps(folder).empty());
+}
+
+TEST_F(StepFile, AFullDiskIsReportedAndLeavesNothing) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  fs::create_symlink("/dev/full", folder / (step_file_name(0).string() + ".part"));
+  EXPECT_THROW(write_step(step(0), folder), std::system_error);
+  EXPECT_FALSE(fs::exists(folder / step_file_name(0)));
+}
+
+}  // namespace
