@@ -34,7 +34,7 @@ void* open_lammps(const std::string& log_file) {
 }
 
 std::string with_file(std::string line, const std::string& file) {
-  if (const auto at = line.find("{file}"); at != std::string::npos) line.replace(at, 6, file);
+  if (const auto at = line.find("{file}"); at != std::string::npos) line.replace(at, 6, '"' + file + '"');
   return line;
 }
 

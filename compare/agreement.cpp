@@ -57,7 +57,7 @@ std::string compare_points(const Run& atoms, const std::vector<std::size_t>& poi
                            Agreement& agreement) {
   for (const std::size_t i : points) {
     const double depth = atoms.depth_A[i];
-    const std::optional<double> force = continuum.force_eV_per_A(depth);
+    const std::optional<double> force = continuum.at(depth);
     if (!force) {
       return fmt::format(
           "the membrane's curve covers depths from {:.2f} to {:.2f} Å, not the atoms' {:.2f} Å",

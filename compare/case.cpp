@@ -87,14 +87,14 @@ void check_levels(const Case& c, const Origins& origins) {
     throw bad_input("{}: {} Å is deeper than the radius, {} Å", label_of(origins, "depth-max"), depth_max,
                     c.radius_A);
   }
-  if (!(c.depth_step_A <= depth_max)) {
+  if (!(depth_step_A(c) <= depth_max)) {
     throw bad_input("{}: {} Å is larger than the largest depth, {:.6g} Å{}", label_of(origins, "depth-step"),
-                    c.depth_step_A, depth_max,
+                    depth_step_A(c), depth_max,
                     c.depth_max_A ? "" : fmt::format(" ({} of the radius)", depth_max_of_radius));
   }
-  if (!(depth_max / c.depth_step_A <= most_levels)) {
+  if (!(depth_max / depth_step_A(c) <= most_levels)) {
     throw bad_input("{}: steps of {} Å up to {:.6g} Å are {:.0f} levels; at most {}",
-                    label_of(origins, "depth-step"), c.depth_step_A, depth_max, depth_max / c.depth_step_A,
+                    label_of(origins, "depth-step"), depth_step_A(c), depth_max, depth_max / depth_step_A(c),
                     most_levels);
   }
 }
@@ -131,11 +131,18 @@ bool has_given_constants(const Case& c) { return c.E_eV_per_A3 && c.thickness_A 
 
 double largest_depth_A(const Case& c) { return c.depth_max_A.value_or(depth_max_of_radius * c.radius_A); }
 
+double depth_step_A(const Case& c) {
+  constexpr double step_A = 2, reference_radius_A = 110;
+  if (c.depth_step_A) return *c.depth_step_A;
+  if (has_given_constants(c)) return step_A / reference_radius_A * c.radius_A;
+  return std::min(step_A, largest_depth_A(c));
+}
+
 std::vector<double> depth_levels(const Case& c) {
   constexpr double same = 1e-9;  // relative; a last step shorter than this is rounding
-  const double depth_max = largest_depth_A(c);
+  const double depth_max = largest_depth_A(c), step = depth_step_A(c);
   std::vector<double> levels;
-  for (int i = 1; i * c.depth_step_A < depth_max * (1 - same); ++i) levels.push_back(i * c.depth_step_A);
+  for (int i = 1; i * step < depth_max * (1 - same); ++i) levels.push_back(i * step);
   levels.push_back(depth_max);
   return levels;
 }

@@ -21,7 +21,7 @@ struct Case {
   std::vector<std::string> loads = {"point", "disc"};
   double tip_radius_A = 10;
   std::optional<double> depth_max_A;  ///< absent: 0.22 × radius
-  double depth_step_A = 2;
+  std::optional<double> depth_step_A;  ///< absent: 2 Å; radius / 55 for a membrane of given constants
   std::vector<double> forces_eV_per_A;  ///< replaces the depth list when not empty
   double pretension_eV_per_A2 = 0;
   std::string models = "both";  ///< membrane | atomistic | both
@@ -49,7 +49,7 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"tip-radius", unit::length, "radius of the loaded disc", positive()}, c.tip_radius_A);
   visit(Field{"depth-max", unit::length, "largest depth (0.22 of the radius if not given)", positive()},
         c.depth_max_A);
-  visit(Field{"depth-step", unit::length, "distance between depths", positive()}, c.depth_step_A);
+  visit(Field{"depth-step", unit::length, "distance between depths (2 Å; radius/55 for given constants)", positive()}, c.depth_step_A);
   visit(Field{"forces", unit::force, "dead-load levels instead of depths", positive()}, c.forces_eV_per_A);
   visit(
       Field{"pretension", unit::membrane_force, "isotropic membrane force of the flat sheet", not_negative()},
@@ -83,6 +83,10 @@ bool has_given_constants(const Case&);
 
 /// Largest controlled depth: the one given, else 0.22 × radius. Å.
 double largest_depth_A(const Case&);
+
+/// Distance between controlled depths: the one given, else 2 Å, and for a membrane of given constants, which may be of
+/// any size, what that is at 110 Å: radius / 55. Å.
+double depth_step_A(const Case&);
 
 /// Controlled depths in Å: step, 2 step, … and the largest depth itself as the last one. Not used with
 /// forces.

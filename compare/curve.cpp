@@ -48,7 +48,7 @@ Curve::Curve(const Run& run) : Curve(usable(run, run.depth_A), usable(run, run.f
 double Curve::lowest_A() const { return std::exp(log_depth_.front()); }
 double Curve::highest_A() const { return std::exp(log_depth_.back()); }
 
-std::optional<double> Curve::force_eV_per_A(double depth_A) const {
+std::optional<double> Curve::at(double depth_A) const {
   const double rounding = 1e-12;  // a depth that was itself an end comes back through log
   const double x = std::log(depth_A);
   if (!(x >= log_depth_.front() - rounding && x <= log_depth_.back() + rounding)) return std::nullopt;

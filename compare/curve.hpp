@@ -1,4 +1,4 @@
-// A force–depth curve as a function of the depth.
+// A force–depth curve, or another quantity that grows with the depth, as a function of the depth.
 #pragma once
 
 #include <gsl/gsl_interp.h>
@@ -16,8 +16,8 @@ namespace compare {
 /// of F over depth overestimates by several per cent at the spacing of a run.
 class Curve {
  public:
-  /// Depths in Å and forces in eV/Å, equally long, all positive, in any order. Throws std::invalid_argument
-  /// for fewer than two different depths or values that are not positive and finite.
+  /// Depths and values (forces in eV/Å, say), equally long, all positive, in any order. Throws
+  /// std::invalid_argument for fewer than two different depths or values that are not positive and finite.
   Curve(std::span<const double> depth_A, std::span<const double> force_eV_per_A);
 
   /// The usable points of a run; throws as above.
@@ -26,8 +26,8 @@ class Curve {
   double lowest_A() const;
   double highest_A() const;
 
-  /// Force (eV/Å) at a depth (Å); nothing outside the curve's own depths: never extrapolated.
-  std::optional<double> force_eV_per_A(double depth_A) const;
+  /// The value at a depth (Å); nothing outside the curve's own depths: never extrapolated.
+  std::optional<double> at(double depth_A) const;
 
  private:
   struct FreeInterpolation {

@@ -49,15 +49,15 @@ Points usable_curve(const Run& run) {
   return points;
 }
 
-// Dense enough to look smooth, through the computed points as the comparison interpolates them, from the flat
-// sheet.
+// Dense enough to look smooth, through the computed points as the comparison interpolates them. It starts at the first
+// of them: nothing is known below.
 Points smooth_curve(const Run& run) {
-  Points points = {{0, 0}};
+  Points points;
   const Curve curve(run);
   const int pieces = 200;
   for (int i = 0; i <= pieces; ++i) {
     const double depth = std::lerp(curve.lowest_A(), curve.highest_A(), static_cast<double>(i) / pieces);
-    if (const auto force = curve.force_eV_per_A(depth)) points.push_back({depth, *force});
+    if (const auto force = curve.at(depth)) points.push_back({depth, *force});
   }
   return points;
 }

@@ -49,7 +49,7 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentation", "--radius", "1 mm"}, {"--radius", "3000 Å"}},
     {{"indentation", "--tip-radius", "110"}, {"--tip-radius", "wider than the sheet", "110 Å"}},
     {{"indentation", "--depth-max", "111"}, {"--depth-max: 111 Å", "deeper than the radius, 110 Å"}},
-    {{"indentation", "--depth-max", "1"}, {"depth-step", "2 Å", "largest depth, 1 Å"}},
+    {{"indentation", "--depth-max", "1", "--depth-step", "2"}, {"--depth-step", "2 Å", "largest depth, 1 Å"}},
     {{"indentation", "--depth-step", "1e-6"}, {"--depth-step", "levels", "at most 10000"}},
     {{"indentation", "--forces", "1,-2"}, {"--forces: -2 eV/Å", "> 0 eV/Å"}},
     {{"indentation", "--pretension", "0.34 N"}, {"--pretension", "unknown unit 'N'", "N/m"}},

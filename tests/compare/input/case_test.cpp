@@ -35,6 +35,18 @@ TEST(DepthLevels, EndAtTheLargestDepth) {
   EXPECT_DOUBLE_EQ(levels.back(), 24.2);
 }
 
+TEST(DepthLevels, AreTwoAngstromApartUnlessConstantsAreGiven) {
+  Case c;
+  EXPECT_EQ(depth_levels(c).size(), 13u);  // 2, 4, … 24, 24.2
+  EXPECT_EQ(depth_levels(c)[1], 4);
+  c.radius_A = 8;  // 0.22 of it is less than 2 Å
+  EXPECT_EQ(depth_levels(c), (std::vector<double>{0.22 * 8}));
+  c = given_constants();
+  c.radius_A = 5000;  // the same number of levels for any size
+  EXPECT_EQ(depth_levels(c).size(), 13u);
+  EXPECT_NEAR(depth_levels(c)[0], 5000 / 55., 1e-9);
+}
+
 TEST(DepthLevels, HaveNoDuplicateAtAMultiple) {
   Case c;
   c.depth_max_A = 0.3;  // 3 × 0.1 is above 0.3 in floating point

@@ -16,7 +16,7 @@ const fs::path inputs = fs::path(VALIDATE_SOURCE_INPUTS).lexically_normal();
 
 TEST(ShippedInputs, IndentationHoldsTheDefaults) {
   Case c;
-  c.radius_A = c.tip_radius_A = c.depth_step_A = c.force_tolerance_eV_per_A = c.tolerance = -1;
+  c.radius_A = c.tip_radius_A = c.force_tolerance_eV_per_A = c.tolerance = -1;
   c.potential = c.models = c.judged_load = "none";
   c.loads.clear();
   c.window.clear();

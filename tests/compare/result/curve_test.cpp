@@ -13,8 +13,8 @@ TEST(Curve, IsExactForAPowerLaw) {
   const std::vector<double> depth = {1, 2, 4, 7, 11}, force = {1, 8, 64, 343, 1331};
   const Curve curve(depth, force);
   for (const double d : {1.0, 1.5, 3.0, 5.123, 10.0, 11.0}) {
-    ASSERT_TRUE(curve.force_eV_per_A(d)) << d;
-    EXPECT_NEAR(*curve.force_eV_per_A(d) / (d * d * d), 1, 1e-12) << d;
+    ASSERT_TRUE(curve.at(d)) << d;
+    EXPECT_NEAR(*curve.at(d) / (d * d * d), 1, 1e-12) << d;
   }
 }
 
@@ -22,10 +22,10 @@ TEST(Curve, NeverExtrapolates) {
   const Curve curve(std::vector{2.0, 3.0, 5.0}, std::vector{1.0, 2.0, 9.0});
   EXPECT_DOUBLE_EQ(curve.lowest_A(), 2);
   EXPECT_DOUBLE_EQ(curve.highest_A(), 5);
-  EXPECT_TRUE(curve.force_eV_per_A(2.0));
-  EXPECT_TRUE(curve.force_eV_per_A(5.0));
+  EXPECT_TRUE(curve.at(2.0));
+  EXPECT_TRUE(curve.at(5.0));
   for (const double outside : {1.999, 5.001, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_FALSE(curve.force_eV_per_A(outside)) << outside;
+    EXPECT_FALSE(curve.at(outside)) << outside;
   }
 }
 
@@ -34,7 +34,7 @@ TEST(Curve, StaysMonotoneAcrossAStep) {
   const Curve curve(depth, force);
   double before = 0;
   for (double d = 1; d <= 6; d += 0.01) {
-    const double f = *curve.force_eV_per_A(d);
+    const double f = *curve.at(d);
     EXPECT_GE(f, before) << d;
     EXPECT_LE(f, 9.02 * (1 + 1e-12)) << d;
     before = f;
@@ -43,7 +43,7 @@ TEST(Curve, StaysMonotoneAcrossAStep) {
 
 TEST(Curve, TakesAnyOrderAndTwoPoints) {
   const Curve curve(std::vector{4.0, 1.0}, std::vector{64.0, 1.0});
-  EXPECT_NEAR(*curve.force_eV_per_A(2), 8, 1e-12);
+  EXPECT_NEAR(*curve.at(2), 8, 1e-12);
 }
 
 TEST(Curve, RefusesWhatHasNoLogarithm) {
@@ -59,7 +59,7 @@ TEST(Curve, OfARunUsesItsUsablePoints) {
   run.depth_A = {1, 2, 3, 4};
   run.force_eV_per_A = {1, 8, 1000, 64};
   run.converged = {true, true, false, true};
-  EXPECT_NEAR(*Curve(run).force_eV_per_A(3), 27, 1e-9);
+  EXPECT_NEAR(*Curve(run).at(3), 27, 1e-9);
 }
 
 }  // namespace
