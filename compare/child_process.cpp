@@ -24,11 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What MPI and OpenMP are told unless the user has said otherwise: run as root in containers, share the cores with
-/// the membrane, do not bind side-by-side runs to the same core, and leave the core to others while waiting.
+/// the membrane, do not bind side-by-side runs to the same core, leave the core to others while waiting, and start no
+/// daemon for a single rank (it would have to be in PATH).
 std::vector<std::string> environment_for_children() {
   std::vector<std::pair<std::string, std::string>> defaults = {{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
                                                                {"OMPI_MCA_hwloc_base_binding_policy", "none"},
                                                                {"OMPI_MCA_mpi_yield_when_idle", "1"},
+                                                               {"OMPI_MCA_ess_singleton_isolated", "1"},
                                                                {"OMP_NUM_THREADS", "1"}};
   if (::geteuid() == 0) {
     defaults.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");

@@ -69,7 +69,9 @@ std::vector<double> levels_of(const Case& c) {
   return c.forces_eV_per_A.empty() ? depth_levels(c) : c.forces_eV_per_A;
 }
 
+/// Without more levels the order stays: dead loads may be given in any.
 std::vector<double> merged(std::vector<double> levels, const std::vector<double>& more) {
+  if (more.empty()) return levels;
   levels.insert(levels.end(), more.begin(), more.end());
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end(),

@@ -46,20 +46,26 @@ void redirect(int descriptor, const fs::path& file, int flags) {
 
 }  // namespace
 
+RunningValidate::RunningValidate(const std::vector<std::string>& words, const fs::path& folder,
+                                 const std::vector<std::string>& environment)
+    : child_(fork()) {
+  if (child_ < 0) throw std::runtime_error("cannot fork");
+  if (child_ == 0) become_validate(words, folder, environment, streams_.path());
+}
+
+Outcome RunningValidate::wait() {
+  int status = 0;
+  waitpid(child_, &status, 0);
+  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - begin_;
+  return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .out = content_of(streams_.path() / "out"),
+          .err = content_of(streams_.path() / "err"),
+          .wall_ms = wall.count()};
+}
+
 Outcome run_validate(const std::vector<std::string>& words, const fs::path& folder,
                      const std::vector<std::string>& environment) {
-  const WorkFolder streams;  // not in `folder`, which must show only what the program leaves
-  const auto begin = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("cannot fork");
-  if (child == 0) become_validate(words, folder, environment, streams.path());
-  int status = 0;
-  waitpid(child, &status, 0);
-  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - begin;
-  return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-          .out = content_of(streams.path() / "out"),
-          .err = content_of(streams.path() / "err"),
-          .wall_ms = wall.count()};
+  return RunningValidate(words, folder, environment).wait();
 }
 
 WorkFolder::WorkFolder() {

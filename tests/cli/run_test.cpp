@@ -1,0 +1,311 @@
+// Whole runs of the real program: what they leave, and what happens when something goes wrong on the way.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/run_program.hpp"
+#include "tests/support/json_schema.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using cli_tests::Outcome;
+using cli_tests::run_validate;
+using cli_tests::RunningValidate;
+using cli_tests::WorkFolder;
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// A small, cheap comparison.
+Words small_run(const Words& more) {
+  Words words = {"indentation", "--radius", "15", "--potential", "tersoff", "--tip-radius", "5",
+                 "--depth-step", "1", "--depth-max", "4"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+json document(const fs::path& file) {
+  std::ifstream in(file);
+  return json::parse(in);
+}
+
+void expect_valid(const json& summary) {
+  static const support::JsonSchema schema(support::read_json(SUMMARY_SCHEMA));
+  EXPECT_EQ(schema.problems(summary), Words{});
+}
+
+void expect_says(const Outcome& outcome, int exit_code, const Words& words) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  for (const std::string& word : words)
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << "'" << word << "' is not in: " << outcome.err;
+}
+
+const json& run_of(const json& summary, const std::string& model, const std::string& load,
+                   const std::string& constants = {}) {
+  for (const json& run : summary.at("runs"))
+    if (run.at("model") == model && run.at("load") == load && run.value("constants", "") == constants) return run;
+  throw std::runtime_error("no such run: " + model + " " + load);
+}
+
+TEST(MainJob, WritesTheWholeRunFolder) {
+  const WorkFolder folder;
+  const Outcome outcome = run_validate({"indentation", "--radius", "30", "--out", "deep/run", "--json", "copy.json"}, folder.path());
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
+  const fs::path run = folder.path() / "deep" / "run";
+  for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "lammps.log",
+                           "atoms-point.extxyz", "atoms-disc.extxyz"})
+    EXPECT_GT(fs::file_size(run / name), 500u) << name;
+  EXPECT_FALSE(fs::exists(run / "work"));
+  const json summary = document(run / "summary.json");
+  EXPECT_EQ(summary, document(folder.path() / "copy.json"));
+  expect_valid(summary);
+  EXPECT_EQ(summary["runs"].size(), 6u);  // two loads: atoms, membrane of the card, membrane of the paper
+  EXPECT_EQ(outcome.exit_code == 0, summary["agreement"]["passed"].get<bool>());
+  EXPECT_NE(outcome.out.find("DISAGREEMENT"), std::string::npos);  // bending is missing at this size
+  EXPECT_NE(outcome.err.find("evaluations"), std::string::npos) << "progress";
+}
+
+TEST(MainJob, AtomsAndContinuumAreTheSameExperiment) {
+  const WorkFolder folder;
+  run_validate(small_run({"--out", "run", "--pretension", "0.34 N/m"}), folder.path());
+  const json summary = document(folder.path() / "run" / "summary.json");
+  expect_valid(summary);
+  const double bond = summary["card"]["a0_A"].get<double>() / std::sqrt(3.0);
+  for (const char* load : {"point", "disc"}) {
+    const json &atoms = run_of(summary, "atomistic", load), &card = run_of(summary, "membrane", load, "card");
+    EXPECT_NEAR(card["a_A"].get<double>(), 15 + 0.75 * bond, 1e-2);
+    EXPECT_EQ(card["a_A"], atoms["a_A"]);
+    EXPECT_EQ(card["tip_A"], atoms["tip_A"]);
+    EXPECT_EQ(card["Eh_N_per_m"], summary["card"]["Eh_N_per_m"]);
+    EXPECT_NEAR(card["pretension_N_per_m"].get<double>(), 0.34, 1e-9);
+    EXPECT_EQ(card["conjugate_depth_A"].size(), atoms["conjugate_depth_A"].size());
+    EXPECT_EQ(run_of(summary, "membrane", load, "paper")["a_A"], 15.0);
+  }
+}
+
+TEST(MainJob, JudgesDepthsThatBracketTheWindow) {
+  const WorkFolder folder;
+  run_validate(small_run({"--out", "run", "--loads", "disc"}), folder.path());
+  const json agreement = document(folder.path() / "run" / "summary.json")["agreement"];
+  const double a = document(folder.path() / "run" / "summary.json")["sheet"]["effective_radius_A"];
+  EXPECT_LE(agreement["depth_A"].front().get<double>(), 0.10 * a);
+  EXPECT_GT(agreement["depth_A"].front().get<double>(), 0.085 * a);
+  EXPECT_GE(agreement["depth_A"].back().get<double>(), 0.15 * a);
+  EXPECT_LT(agreement["depth_A"].back().get<double>(), 0.17 * a);
+}
+
+TEST(MainJob, DeadForcesAreReportedExactlyAndInOrder) {
+  const WorkFolder folder;
+  run_validate(small_run({"--out", "run", "--loads", "disc", "--forces", "2,4,1,3"}), folder.path());
+  const json summary = document(folder.path() / "run" / "summary.json");
+  for (const json& run : summary["runs"]) {
+    ASSERT_EQ(run["force_eV_per_A"].size(), 4u);
+    const double expected[] = {2, 4, 1, 3};
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(run["force_eV_per_A"][i].get<double>(), expected[i], 1e-6);
+    EXPECT_GT(run["depth_A"][1], run["depth_A"][3]);
+    EXPECT_LT(run["depth_A"][2], run["depth_A"][0]);
+  }
+}
+
+TEST(MainJob, AMembraneOfGivenConstantsNeedsNoAtoms) {
+  const WorkFolder folder;
+  const Outcome outcome = run_validate(
+      {"indentation", "--models", "membrane", "--radius", "0.5 um", "--thickness", "0.335 nm", "--E", "1.0209 TPa", "--nu",
+       "0.165", "--pretension", "0.34 N/m", "--loads", "disc", "--tip-radius", "1 nm", "--json", "-"},
+      folder.path(), {"PATH=/nowhere"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json summary = json::parse(outcome.out);  // nothing else on stdout
+  expect_valid(summary);
+  ASSERT_EQ(summary["runs"].size(), 1u);
+  const json& run = summary["runs"][0];
+  EXPECT_EQ(run["constants"], "given");
+  EXPECT_EQ(run["a_A"], 5000.0);
+  EXPECT_EQ(run["tip_A"], 10.0);
+  EXPECT_NEAR(run["Eh_N_per_m"].get<double>(), 342.0, 0.01);
+  EXPECT_TRUE(summary["card"].is_null());
+  EXPECT_TRUE(summary["sheet"].is_null());
+  EXPECT_TRUE(summary["agreement"].is_null());
+}
+
+TEST(MainJob, ADryRunComputesAndLeavesNothing) {
+  const WorkFolder folder;
+  const Outcome outcome = run_validate(small_run({"--dry-run"}), folder.path());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* word : {"\"radius_A\": 15", "atoms: about", "triangles", "estimate"})
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(RunFolder, DefaultNamesAreNumbered) {
+  const WorkFolder folder;
+  const Words words = small_run({"--models", "membrane", "--loads", "disc", "--quiet"});
+  for (int i = 0; i < 3; ++i) {
+    const Outcome outcome = run_validate(words, folder.path());
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");  // --quiet
+  }
+  for (const char* name : {"indentation-tersoff-R15", "indentation-tersoff-R15-2", "indentation-tersoff-R15-3"})
+    EXPECT_TRUE(fs::exists(folder.path() / "runs" / name / "summary.json")) << name;
+}
+
+TEST(RunFolder, AFinishedRunIsReplacedOnlyWhenAskedTo) {
+  const WorkFolder folder;
+  const Words words = small_run({"--models", "membrane", "--loads", "disc", "--out", "run"});
+  EXPECT_EQ(run_validate(words, folder.path()).exit_code, 0);
+  std::ofstream(folder.path() / "run" / "notes.txt") << "mine";
+  expect_says(run_validate(words, folder.path()), 2, {"finished run", "--overwrite"});
+  Words again = words;
+  again.push_back("--overwrite");
+  EXPECT_EQ(run_validate(again, folder.path()).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder.path() / "run" / "notes.txt"));
+}
+
+TEST(RunFolder, SomebodyElsesFolderIsNotTouched) {
+  const WorkFolder folder;
+  folder.write("thesis.tex", "important");
+  expect_says(run_validate(small_run({"--out", ".", "--overwrite"}), folder.path()), 2, {"does not hold a run"});
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(RunFolder, ThatCannotBeWrittenIsExitCodeSix) {
+  const WorkFolder folder;
+  expect_says(run_validate(small_run({"--out", "/proc/none/run"}), folder.path()), 6, {"/proc/none"});
+}
+
+TEST(Failure, LammpsErrorsAreQuotedWithTheLog) {
+  const WorkFolder folder;
+  folder.write("bad.toml",
+               "pair_style = \"tersoff/none\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
+  const Outcome outcome = run_validate(
+      {"indentation", "--radius", "15", "--potential", "bad.toml", "--tip-radius", "5", "--depth-step", "1", "--out", "run"}, folder.path());
+  expect_says(outcome, 5, {"potential card", "ERROR", "tersoff/none", "pair_style", "log.lammps"});
+  expect_valid(document(folder.path() / "run" / "summary.json"));  // what there is, is written
+  EXPECT_TRUE(document(folder.path() / "run" / "summary.json")["card"].is_null());
+}
+
+TEST(Failure, ALauncherThatFailsOrIsMissingIsNamed) {
+  const WorkFolder folder;
+  expect_says(run_validate(small_run({"--launcher", "no-such-launcher -n 2", "--out", "a"}), folder.path()), 5,
+              {"no-such-launcher"});
+  expect_says(run_validate(small_run({"--launcher", "false", "--out", "b"}), folder.path()), 5, {"status 1"});
+}
+
+TEST(Failure, WithoutMpiexecOneRankWorksAndMoreAreRefused) {
+  const WorkFolder folder;
+  const Outcome one = run_validate(small_run({"--loads", "disc", "--out", "a"}), folder.path(), {"PATH=/nowhere"});
+  EXPECT_TRUE(one.exit_code == 0 || one.exit_code == 3) << one.err;
+  EXPECT_NE(one.err.find("mpiexec"), std::string::npos) << "a warning";
+  expect_says(run_validate(small_run({"--ranks", "2", "--out", "b"}), folder.path(), {"PATH=/nowhere"}), 5,
+              {"mpiexec", "--launcher"});
+}
+
+/// Every process whose command line names this folder.
+std::vector<std::string> processes_of(const fs::path& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
+    const std::string line{std::istreambuf_iterator<char>(in), {}};
+    if (line.find(folder.string()) != std::string::npos) found.push_back(line);
+  }
+  return found;
+}
+
+bool none_left(const fs::path& folder) {
+  for (int i = 0; i < 100 && !processes_of(folder).empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  return processes_of(folder).empty();
+}
+
+bool appears(const fs::path& file) {
+  for (int i = 0; i < 600 && !fs::exists(file); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return fs::exists(file);
+}
+
+class StoppedBy : public testing::TestWithParam<int> {};
+
+/// A run that is stopped after its second depth goes on with --resume and ends with the numbers of a run that was not.
+TEST_P(StoppedBy, ASignalARunCanBeResumed) {
+  const WorkFolder folder;
+  Words words = {"indentation", "--radius", "30", "--potential", "rebo", "--loads", "disc", "--depth-step", "0.6", "--ranks", "2"};
+  const auto into = [&](const std::string& out, const Words& more = {}) {
+    Words all = words;
+    all.insert(all.end(), {"--out", out});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  run_validate(into("whole"), folder.path());
+
+  RunningValidate running(into("cut"), folder.path());
+  ASSERT_TRUE(appears(folder.path() / "cut/work/disc/steps/step-0001.bin"));
+  kill(running.pid(), GetParam());
+  const Outcome stopped = running.wait();
+  if (GetParam() != SIGKILL) expect_says(stopped, 130, {"--resume"});
+  EXPECT_TRUE(none_left(folder.path())) << "orphans";
+  EXPECT_FALSE(fs::exists(folder.path() / "cut/summary.json"));
+  expect_says(run_validate(into("cut"), folder.path()), 2, {"unfinished run", "--resume", "--overwrite"});
+  expect_says(run_validate(into("cut", {"--resume", "--pretension", "0.1"}), folder.path()), 2, {"changed", "pretension"});
+
+  const Outcome resumed = run_validate(into("cut", {"--resume"}), folder.path());
+  EXPECT_TRUE(resumed.exit_code == 0 || resumed.exit_code == 3) << resumed.err;
+  const json whole = document(folder.path() / "whole/summary.json"), cut = document(folder.path() / "cut/summary.json");
+  const json &a = run_of(whole, "atomistic", "disc"), &b = run_of(cut, "atomistic", "disc");
+  ASSERT_EQ(a["force_eV_per_A"].size(), b["force_eV_per_A"].size());
+  for (std::size_t i = 0; i < a["force_eV_per_A"].size(); ++i) {
+    const double expected = a["force_eV_per_A"][i];
+    EXPECT_NEAR(b["force_eV_per_A"][i].get<double>(), expected, 1e-8 * expected) << i;
+    EXPECT_EQ(a["force_evaluations"][i], b["force_evaluations"][i]) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Signal, StoppedBy, testing::Values(SIGKILL, SIGTERM, SIGINT));
+
+TEST(Failure, AKilledRankIsNamedWithItsSignal) {
+  const WorkFolder folder;
+  RunningValidate running({"indentation", "--radius", "30", "--loads", "disc", "--depth-step", "0.5", "--ranks", "1", "--out", "run"},
+                          folder.path());
+  ASSERT_TRUE(appears(folder.path() / "run/work/disc/steps/step-0000.bin"));
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
+    const std::string line{std::istreambuf_iterator<char>(in), {}};
+    if (line.find("validate-atoms") != std::string::npos && line.find(folder.path().string()) != std::string::npos)
+      kill(std::stoi(entry.path().filename().string()), SIGSEGV);
+  }
+  expect_says(running.wait(), 5, {"signal 11", "disc"});
+  const json summary = document(folder.path() / "run/summary.json");
+  expect_valid(summary);
+  const json& atoms = run_of(summary, "atomistic", "disc");
+  EXPECT_TRUE(atoms["ended"].is_null());
+  EXPECT_GE(atoms["force_eV_per_A"].size(), 1u) << "what was computed is kept";
+}
+
+TEST(Failure, TwoRunsCannotShareAFolder) {
+  const WorkFolder folder;
+  RunningValidate first({"indentation", "--radius", "30", "--loads", "disc", "--out", "run"}, folder.path());
+  ASSERT_TRUE(appears(folder.path() / "run/work/case.json"));
+  expect_says(run_validate({"indentation", "--radius", "30", "--loads", "disc", "--out", "run", "--resume"}, folder.path()), 2,
+              {"in use"});
+  kill(first.pid(), SIGTERM);
+  first.wait();
+}
+
+TEST(Ranks, GiveTheSameForces) {
+  const WorkFolder folder;
+  json runs[3];
+  for (int ranks : {1, 2, 3}) {
+    const std::string out = "r" + std::to_string(ranks);
+    run_validate(small_run({"--loads", "disc", "--models", "atomistic", "--ranks", std::to_string(ranks), "--out", out}),
+                 folder.path());
+    runs[ranks - 1] = run_of(document(folder.path() / out / "summary.json"), "atomistic", "disc")["force_eV_per_A"];
+  }
+  ASSERT_EQ(runs[0].size(), 4u);
+  for (const json& run : runs)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double expected = runs[0][i];
+      EXPECT_NEAR(run[i].get<double>(), expected, 1e-4 * expected);
+    }
+}
+
+}  // namespace
