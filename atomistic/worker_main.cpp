@@ -13,7 +13,7 @@
 #include "atomistic/card.hpp"
 #include "atomistic/indentation.hpp"
 #include "atomistic/lammps.hpp"
-#include "atomistic/protocol/blas.hpp"
+#include "atomistic/protocol/math_threads.hpp"
 #include "atomistic/protocol/event.hpp"
 #include "atomistic/protocol/job.hpp"
 #include "atomistic/protocol/step_file.hpp"
@@ -59,7 +59,7 @@ struct Worker {
 int main(int argc, char** argv) {
   signal(SIGPIPE, SIG_IGN);  // seen as a failed write instead
   MpiSession session(&argc, &argv);
-  use_one_blas_thread();
+  use_one_math_thread();
   const int release = lammps_release();
   if (argc == 2 && std::string(argv[1]) == "--version") {
     if (session.rank() == 0) std::cout << release << std::endl;

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "atomistic/protocol/blas.hpp"
+#include "atomistic/protocol/math_threads.hpp"
 #include "compare/child_process.hpp"
 #include "compare/paths.hpp"
 #include "git_revision.hpp"

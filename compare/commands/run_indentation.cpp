@@ -6,7 +6,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "atomistic/protocol/blas.hpp"
+#include "atomistic/protocol/math_threads.hpp"
 #include "compare/errors.hpp"
 #include "compare/interrupt.hpp"
 #include "compare/outputs/atoms_files.hpp"
@@ -69,7 +69,7 @@ void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& f
 }  // namespace
 
 int run_indentation(const Case& c, const RunOptions& options, const std::optional<PotentialFile>& potential) {
-  atomistic::use_one_blas_thread();
+  atomistic::use_one_math_thread();
   const AtomsLaunch launch = launch_of(options, potential.has_value());
   if (options.dry_run) {
     fmt::print("{}", plan_text(c, potential, launch));

@@ -1,4 +1,6 @@
-#include "atomistic/protocol/blas.hpp"
+#include "atomistic/protocol/math_threads.hpp"
+
+#include <omp.h>
 
 #include <filesystem>
 #include <fstream>
@@ -7,8 +9,9 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace atomistic {
 
-void use_one_blas_thread() {
+void use_one_math_thread() {
   if (openblas_set_num_threads) openblas_set_num_threads(1);
+  omp_set_max_active_levels(0);
 }
 
 std::string loaded_blas() {
