@@ -95,10 +95,14 @@ struct SheetSummary {
   int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
 };
 
+/// Sums over the curves, which run side by side: they may exceed the wall time.
 struct Timing {
   double wall_s = not_known, membrane_s = not_known;
-  std::optional<double> atomistic_s,
-      force_s;  ///< force_s: pair, neighbour, communication; summed over curves
+  std::optional<double> atomistic_s;
+  std::optional<double> force_s;   ///< inside LAMMPS: pair, neighbour, communication
+  std::optional<double> setup_s;   ///< inside LAMMPS: start, and the first force of each depth with its set-up
+  std::optional<double> factor_s;  ///< factorising the preconditioner
+  std::optional<double> solve_s;   ///< solving with it
   std::optional<long> force_calls;
 };
 

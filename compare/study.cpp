@@ -65,6 +65,14 @@ class MembraneThread {
   std::jthread thread_;  // last: starts when the rest is there
 };
 
+void add(Timing& timing, const atomistic::Report& report) {
+  timing.force_calls = timing.force_calls.value_or(0) + report.force_calls;
+  timing.force_s = timing.force_s.value_or(0) + report.force_s;
+  timing.setup_s = timing.setup_s.value_or(0) + report.setup_s;
+  timing.factor_s = timing.factor_s.value_or(0) + report.factor_s;
+  timing.solve_s = timing.solve_s.value_or(0) + report.solve_s;
+}
+
 std::vector<double> levels_of(const Case& c) {
   return c.forces_eV_per_A.empty() ? depth_levels(c) : c.forces_eV_per_A;
 }
@@ -216,9 +224,7 @@ class Study {
       append(e.run, step, potential_->potential.artefact_bond_A);
     if (outcome.finished && report) {
       close(e.run, *report);
-      Timing& timing = outcome_.result.timing;
-      timing.force_calls = timing.force_calls.value_or(0) + report->force_calls;
-      timing.force_s = timing.force_s.value_or(0) + report->force_s;
+      add(outcome_.result.timing, *report);
     } else {
       e.run.ended.reset();
       e.run.ended_reason = outcome.failure;
