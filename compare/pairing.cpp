@@ -52,7 +52,7 @@ MembraneExperiment membrane_experiment(const Case& c, const std::string& load, c
   e.run.Eh_eV_per_A2 = Eh;
   e.run.nu = nu;
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
-  e.problem.sheet.radius_A = a_A;
+  e.problem.sheet = membrane::DiscSheet{a_A};
   e.problem.law = membrane::StVenantKirchhoff{Eh, nu};
   e.problem.prestress_eV_per_A2 = c.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
   e.problem.load = pattern;

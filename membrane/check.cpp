@@ -1,51 +1,126 @@
 // What makes a problem unsolvable before anything is computed.
-#include "membrane/check.hpp"
-
+#include <algorithm>
 #include <cmath>
 
-#include "membrane/grading.hpp"
+#include "membrane/problem.hpp"
 #include "membrane/refusal.hpp"
 
 namespace membrane {
 namespace {
 
-constexpr int most_rings = 2000;
 constexpr double widest_load = 0.98;  // of the sheet: there must be room for a ring of triangles outside
 
 bool positive(double x) { return x > 0 && std::isfinite(x); }
 
-struct CheckLoad {
-  double sheet_radius;
-  void operator()(const PointLoad&) const {}
-  void operator()(const DiscLoad& disc) const {
-    if (!positive(disc.radius_A) || disc.radius_A > widest_load * sheet_radius)
-      refuse("load.radius_A", disc.radius_A, "must be positive and at most 0.98 of sheet.radius_A");
+bool is_disc(const Sheet& sheet) { return std::holds_alternative<DiscSheet>(sheet); }
+
+/// Every edge of a sheet with its support.
+struct SupportsOf {
+  using List = std::vector<std::pair<Edge, Support>>;
+  List operator()(const DiscSheet& s) const { return {{Edge::rim, s.rim}}; }
+  List operator()(const AnnulusSheet& s) const { return {{Edge::hub, s.hub}, {Edge::rim, s.rim}}; }
+  List operator()(const RectangleSheet& s) const {
+    if (s.extent == Extent::quarter) return {{Edge::right, s.right}, {Edge::top, s.top}};
+    return {{Edge::left, s.left}, {Edge::right, s.right}, {Edge::bottom, s.bottom}, {Edge::top, s.top}};
   }
 };
 
-void check_prestress(const Eigen::Matrix2d& prestress) {
+void check_closed(const Problem& problem, const char* member) {
+  for (const auto& [edge, support] : std::visit(SupportsOf{}, problem.sheet))
+    if (support == Support::free)
+      refuse(member, "a pressure", "a sheet under pressure needs every edge in its plane: clamped or sliding, not free");
+}
+
+struct CheckLoad {
+  const Problem& problem;
+
+  void operator()(const PointLoad&) const { has_centre(); }
+  void operator()(const DiscLoad& disc) const {
+    has_centre();
+    fits(disc.radius_A);
+  }
+  void operator()(const RadialLoad& load) const {
+    has_centre();
+    const auto& [radii, density] = load;
+    if (radii.empty() || radii.size() != density.size())
+      refuse("load.density", density.size(), "must have as many entries as load.radius_A, at least one");
+    if (!(radii.front() >= 0) || !std::is_sorted(radii.begin(), radii.end(), std::less_equal<>{}))
+      refuse("load.radius_A", radii.front(), "must rise from 0 or more");
+    for (double value : density)
+      if (!(value >= 0 && std::isfinite(value))) refuse("load.density", value, "must be finite and not negative");
+    fits(radii.back());
+  }
+  void operator()(const SphereLoad& sphere) const {
+    has_centre();
+    if (!is_disc(problem.sheet)) refuse("load", "a sphere", "is implemented on discs only");
+    fits(sphere.radius_A);
+  }
+  void operator()(const PressureLoad&) const {
+    check_closed(problem, "load");
+    if (problem.pressure_eV_per_A3 != 0)
+      refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be 0 where the load is a pressure itself");
+    if (problem.control != Control::force)
+      refuse("control", "conjugate_depth", "the levels of a pressure are pressures: control must be force");
+  }
+  void operator()(const EdgeMotion& motion) const {
+    const auto supports = std::visit(SupportsOf{}, problem.sheet);
+    const auto at = std::find_if(supports.begin(), supports.end(), [&](const auto& s) { return s.first == motion.edge; });
+    if (at == supports.end()) refuse("load.edge", int(motion.edge), "the meshed part of the sheet has no such edge");
+    if (at->second != Support::clamped) refuse("load.edge", int(motion.edge), "the edge that moves must be clamped");
+    if (!motion.translation_A.allFinite() || !motion.pivot_A.allFinite() || !std::isfinite(motion.rotation_rad))
+      refuse("load.translation_A", motion.translation_A.transpose(), "the motion must be finite");
+    if (motion.translation_A.norm() + std::abs(motion.rotation_rad) == 0)
+      refuse("load.translation_A", 0, "the edge does not move: give a translation or a rotation");
+    if (problem.control != Control::conjugate_depth)
+      refuse("control", "force", "a motion is prescribed: control must be conjugate_depth");
+    if (problem.pressure_eV_per_A3 != 0)
+      refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be 0 where an edge moves");
+  }
+
+ private:
+  void has_centre() const {
+    if (std::holds_alternative<AnnulusSheet>(problem.sheet))
+      refuse("load", "on the centre", "an annulus has no centre: move its hub instead");
+  }
+  void fits(double radius) const {
+    if (!positive(radius) || radius > widest_load * inner_radius_A(problem.sheet))
+      refuse("load.radius_A", radius, "must be positive and at most 0.98 of the sheet's radius or half its width");
+  }
+};
+
+void check_prestress(const Problem& problem) {
+  const Eigen::Matrix2d& prestress = problem.prestress_eV_per_A2;
   for (double component : prestress.reshaped())
     if (!std::isfinite(component)) refuse("prestress_eV_per_A2", component, "every component must be finite");
   if (prestress(0, 1) != prestress(1, 0))
-    refuse("prestress_eV_per_A2(0,1)", prestress(0, 1),
-           "must equal component (1,0): the tensor is symmetric");
+    refuse("prestress_eV_per_A2(0,1)", prestress(0, 1), "must equal component (1,0): the tensor is symmetric");
+  const auto* rectangle = std::get_if<RectangleSheet>(&problem.sheet);
+  if (rectangle && rectangle->extent == Extent::quarter && prestress(0, 1) != 0)
+    refuse("prestress_eV_per_A2(0,1)", prestress(0, 1), "breaks the symmetry of a quarter: mesh the full sheet");
+}
+
+void check_levels(const Problem& problem) {
+  if (problem.levels.empty()) refuse("levels", "[]", "at least one is needed");
+  const bool bulged = problem.pressure_eV_per_A3 != 0;  // then depths of either sign make sense
+  for (double level : problem.levels)
+    if (!std::isfinite(level) || (!bulged && !(level > 0)))
+      refuse("levels", level, bulged ? "every level must be finite" : "every level must be positive and finite");
 }
 
 }  // namespace
 
 void check(const Problem& problem) {
-  const DiscSheet& sheet = problem.sheet;
-  if (!positive(sheet.radius_A)) refuse("sheet.radius_A", sheet.radius_A, "must be positive and finite");
-  if (sheet.rings < fewest_rings || sheet.rings > most_rings)
-    refuse("sheet.rings", sheet.rings, "must lie between 8 and 2000");
+  check(problem.sheet);
   std::visit([](const auto& law) { law.check(); }, problem.law);
-  check_prestress(problem.prestress_eV_per_A2);
-  std::visit(CheckLoad{sheet.radius_A}, problem.load);
-  if (!(problem.record_radius_A >= 0 && problem.record_radius_A < sheet.radius_A))
-    refuse("record_radius_A", problem.record_radius_A, "must be at least 0 and below sheet.radius_A");
-  if (problem.levels.empty()) refuse("levels", "[]", "at least one depth or force is needed");
-  for (double level : problem.levels)
-    if (!positive(level)) refuse("levels", level, "every level must be positive and finite");
+  check_prestress(problem);
+  if (!std::isfinite(problem.pressure_eV_per_A3))
+    refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be finite");
+  if (problem.pressure_eV_per_A3 != 0) check_closed(problem, "pressure_eV_per_A3");
+  std::visit(CheckLoad{problem}, problem.load);
+  if (!(problem.record_radius_A >= 0 && problem.record_radius_A < inner_radius_A(problem.sheet)))
+    refuse("record_radius_A", problem.record_radius_A, "must be at least 0 and below the sheet's radius");
+  check_levels(problem);
+  if (!(problem.solver.relative_residual > 0)) refuse("solver.relative_residual", problem.solver.relative_residual, "must be positive");
 }
 
 }  // namespace membrane

@@ -8,7 +8,6 @@ namespace membrane {
 namespace {
 
 constexpr double smallest_shift = 1e-10;  // of the largest diagonal entry
-constexpr double growth = 100;
 
 /// CHOLMOD 3 opens four OpenMP threads for every supernode, whatever OMP_NUM_THREADS says; for matrices of
 /// this size they only wait for each other (twice the time), and other models want the cores. Without an
@@ -24,6 +23,8 @@ class OneThread {
   int before_ = omp_get_max_active_levels();
 };
 
+double scale_of(const Factor::Matrix& lower) { return lower.diagonal().cwiseAbs().maxCoeff(); }
+
 }  // namespace
 
 Factor::Factor() {
@@ -31,30 +32,24 @@ Factor::Factor() {
 }
 
 bool Factor::attempt(const Matrix& lower, double shift) {
+  ready_ = false;
+  if (!std::isfinite(shift) || !lower.coeffs().allFinite()) return false;
   const OneThread one_thread;
   ++count_;
-  shift_ = shift;
   cholesky_.setShift(shift);
   cholesky_.factorize(lower);
   ready_ = cholesky_.info() == Eigen::Success;
   return ready_;
 }
 
-bool Factor::factorise(const Matrix& lower) {
+bool Factor::factorise(const Matrix& lower, double damping) {
   if (!analysed_) {
     cholesky_.analyzePattern(lower);
     analysed_ = true;
   }
-  return attempt(lower, 0);
+  return attempt(lower, damping == 0 ? 0 : damping * scale_of(lower));
 }
 
-bool Factor::factorise_shifted(const Matrix& lower) {
-  if (factorise(lower)) return true;
-  const double scale = lower.diagonal().cwiseAbs().maxCoeff();
-  if (!(scale > 0) || !std::isfinite(scale)) return false;
-  for (double share = smallest_shift; share <= 1; share *= growth)
-    if (attempt(lower, share * scale)) return true;
-  return false;
-}
+bool Factor::factorise_singular(const Matrix& lower) { return attempt(lower, smallest_shift * scale_of(lower)); }
 
 }  // namespace membrane

@@ -16,18 +16,18 @@ class Factor {
 
   /// Factorises the lower half given; the first call analyses its pattern, which must not change later.
   /// Returns false if the matrix is not positive definite (or not finite); there is no factor then.
-  bool factorise(const Matrix& lower);
+  /// `damping`: share of the largest diagonal entry that is added to the diagonal.
+  bool factorise(const Matrix& lower, double damping = 0);
 
-  /// The same for a matrix that is positive semi-definite (slack triangles leave nodes without stiffness):
-  /// where needed, the identity times a shift is added, as little as serves.
-  bool factorise_shifted(const Matrix& lower);
+  /// The same with the least shift added that tells a singular matrix (slack triangles leave nodes without stiffness)
+  /// from an indefinite one.
+  bool factorise_singular(const Matrix& lower);
 
   /// Solution of (K + shift I) x = right_side.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const { return cholesky_.solve(right_side); }
 
   bool ready() const { return ready_; }
-  double shift() const { return shift_; }  ///< eV/Å², 0 for a positive definite matrix
-  int count() const { return count_; }     ///< factorisations so far
+  int count() const { return count_; }  ///< factorisations so far
 
  private:
   bool attempt(const Matrix& lower, double shift);
@@ -35,7 +35,6 @@ class Factor {
   Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> cholesky_;
   bool analysed_ = false;
   bool ready_ = false;
-  double shift_ = 0;
   int count_ = 0;
 };
 

@@ -1,183 +1,206 @@
 // Follows the levels of a problem from the flat sheet: solve() of problem.hpp.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
-#include <utility>
 
-#include "membrane/assembly.hpp"
-#include "membrane/check.hpp"
-#include "membrane/grading.hpp"
-#include "membrane/laws/prestress.hpp"
+#include "membrane/drive.hpp"
 #include "membrane/laws/principal.hpp"
-#include "membrane/loads/pattern.hpp"
+#include "membrane/model.hpp"
 #include "membrane/newton.hpp"
 #include "membrane/predictor.hpp"
 #include "membrane/problem.hpp"
-#include "membrane/quarter_disc.hpp"
-#include "membrane/refusal.hpp"
-#include "membrane/start.hpp"
 
 namespace membrane {
 namespace {
 
-constexpr int most_cuts = 10;  // failed attempts on the way to one level
-
-double load_radius(const Load& load) {
-  const auto* disc = std::get_if<DiscLoad>(&load);
-  return disc ? disc->radius_A : 0;
-}
-
-/// A round sheet of an isotropic law under a round load looks the same from every side: the prestress is
-/// turned to its own axes, which makes the two planes of the quarter planes of symmetry for any prestress.
-Material material_of(const Problem& problem) {
-  const Eigen::Vector2d principal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(problem.prestress_eV_per_A2).eigenvalues();
-  const Voigt prestress(principal[0], principal[1], 0);
-  const Voigt offset =
-      std::visit([&](const auto& law) { return offset_strain(law, prestress); }, problem.law);
-  if (!offset.allFinite())
-    refuse("prestress_eV_per_A2", prestress.head<2>().transpose(),
-           "the law cannot carry these principal values");
-  return {problem.law, offset, problem.relaxed};
-}
+constexpr int most_cuts = 12;         // failed attempts on the way to one level
+constexpr int most_contact_rounds = 40;  // updates of the contact forces at one value
 
 /// Where a search for an equilibrium ended, converged or not.
 struct Attempt {
   Equilibrium equilibrium;
-  Eigen::VectorXd u;           ///< Å
-  double conjugate_depth = 0;  ///< Å
+  Eigen::VectorXd u;  ///< Å
 };
 
 class LoadPath {
  public:
   explicit LoadPath(const Problem& problem)
       : problem_(problem),
-        disc_(quarter_disc(graded_radii({problem.sheet.radius_A, load_radius(problem.load),
-                                         problem.record_radius_A, problem.sheet.rings}))),
-        pattern_(make_pattern(problem.load, disc_.mesh)),
-        record_(mean_on_circle(disc_, problem.record_radius_A)),
-        assembly_(disc_.mesh, material_of(problem)),
-        newton_(disc_.mesh, assembly_, pattern_.direction()) {}
+        model_(problem),
+        record_(mean_on_circle(model_.mesh(), problem.record_radius_A)),
+        newton_(model_.energy(), model_.pattern().direction(), problem.solver) {}
 
   Report follow(const OnStep& on_step) {
-    Report report;
-    report.triangles = static_cast<int>(disc_.mesh.triangles.size());
-    report.reason = "every level was reached";
-    report.converged = true;
-    for (std::size_t i = 0; i < problem_.levels.size(); ++i) {
-      iterations_ = 0;
-      const double level = problem_.levels[i];
-      const Attempt end = reach(control_value(level));
-      const bool reached = end.equilibrium.converged;
-      const bool go_on = on_step(step(static_cast<int>(i), end));
-      if (reached && go_on) continue;
-      report.converged = reached && i + 1 == problem_.levels.size();
-      report.reason = reached ? "ended by the caller" : failure(i, end.equilibrium);
-      break;
-    }
-    report.factorisations = newton_.factorisations();
-    report.assemblies = assembly_.passes();
-    return report;
+    report_.triangles = static_cast<int>(model_.mesh().triangles.size());
+    if (inflate()) go_through_levels(on_step);
+    report_.factorisations = newton_.factorisations();
+    report_.assemblies = model_.energy().passes();
+    return report_;
   }
 
  private:
-  /// A level as the meshed part sees it.
-  double control_value(double level) const {
-    return problem_.control == Control::force ? level / disc_.mesh.copies : level;
+  /// The constant pressure comes first, as a path of its own.
+  bool inflate() {
+    if (problem_.pressure_eV_per_A3 == 0) {
+      drive_ = make_drive(problem_, model_, newton_);
+      return true;
+    }
+    drive_ = pressure_drive(problem_, model_, newton_);
+    const Attempt end = reach(problem_.pressure_eV_per_A3);
+    if (!end.equilibrium.converged) {
+      report_.reason = "the constant pressure: " + end.equilibrium.reason;
+      return false;
+    }
+    drive_ = make_drive_from(problem_, model_, newton_, end.u);
+    return true;
   }
 
-  /// Where the path stands in the controlled quantity.
-  double here() const {
-    if (predictor_.empty()) return 0;
-    const PathPoint& last = predictor_.last();
-    return problem_.control == Control::force ? last.force_eV_per_A : last.conjugate_depth_A;
+  void go_through_levels(const OnStep& on_step) {
+    report_.reason = "every level was reached";
+    report_.converged = true;
+    for (std::size_t i = 0; i < problem_.levels.size(); ++i) {
+      iterations_ = 0;
+      const Attempt end = reach(problem_.levels[i]);
+      const bool reached = end.equilibrium.converged;
+      const bool go_on = on_step(step(static_cast<int>(i), end));
+      if (reached && go_on) continue;
+      report_.converged = reached && i + 1 == problem_.levels.size();
+      report_.reason = reached ? "ended by the caller" : failure(i, end.equilibrium);
+      break;
+    }
   }
 
-  /// Goes to a value of the controlled quantity; where an attempt fails, a value between is reached first.
-  /// Returns the last attempt at the value itself.
+  /// Goes to a value of what the levels prescribe; where an attempt fails, a value between is reached first, and the
+  /// steps grow again from there. Returns the last attempt at the value itself.
   Attempt reach(double value) {
     Attempt at = attempt(value);
     std::vector<double> between;  // unreported stations, the next one last
     for (int cuts = 0; !at.equilibrium.converged && cuts < most_cuts;) {
       const double target = between.empty() ? value : between.back();
-      // Half way on the scale on which the sheet's response is a straight line, the logarithmic one.
-      between.push_back(predictor_.empty() ? target / 8 : std::sqrt(here() * target));
+      between.push_back(drive_->between(target));
+      note_cut(target, between.back(), at.equilibrium);
       ++cuts;
-      while (!between.empty() && attempt(between.back()).equilibrium.converged) between.pop_back();
+      while (!between.empty()) {
+        const Attempt station = attempt(between.back());
+        if (!station.equilibrium.converged) {
+          at.equilibrium.reason = station.equilibrium.reason;
+          break;
+        }
+        between.pop_back();
+      }
       if (between.empty()) at = attempt(value);
     }
     return at;
   }
 
   Attempt attempt(double value) {
-    Attempt attempt{{}, guess(value), 0};
-    attempt.equilibrium = newton_.solve({problem_.control, value}, attempt.u);
-    attempt.conjugate_depth = pattern_.weights.dot(transverse(attempt.u));
+    Attempt attempt{{}, drive_->guess(value)};
+    attempt.equilibrium = settle(drive_->target(value), attempt.u);
     iterations_ += attempt.equilibrium.iterations;
-    if (attempt.equilibrium.converged)
-      predictor_.add({attempt.conjugate_depth, attempt.equilibrium.force_eV_per_A,
-                      attempt.equilibrium.compliance, attempt.u});
+    if (attempt.equilibrium.converged) drive_->passed(value, attempt.equilibrium, attempt.u);
     return attempt;
   }
 
-  Eigen::VectorXd guess(double value) const {
-    const bool by_force = problem_.control == Control::force;
-    if (!predictor_.empty())
-      return predictor_.displacements(by_force ? predictor_.conjugate_depth(value) : value);
-    const double modulus =
-        std::visit([](const auto& law) -> double { return law.sheet_modulus_eV_per_A2; }, problem_.law);
-    const double depth =
-        by_force ? start_depth(value * disc_.mesh.copies, modulus, 0.5 * problem_.prestress_eV_per_A2.trace(),
-                               problem_.sheet.radius_A)
-                 : value;
-    return start_shape(disc_.mesh, pattern_.weights, problem_.sheet.radius_A, load_radius(problem_.load),
-                       depth);
+  /// Equilibrium with the contact forces that belong to it.
+  Equilibrium settle(const Target& target, Eigen::VectorXd& u) {
+    Equilibrium at = newton_.solve(target, u);
+    int iterations = at.iterations;
+    for (int round = 0; at.converged && round < most_contact_rounds; ++round) {
+      bool settled = true;
+      for (Obstacle* obstacle : model_.obstacles())
+        if (obstacle->update_multipliers(u) > obstacle->tolerance_A()) settled = false;
+      if (settled) break;
+      at = newton_.solve(target, u, FirstFactor::kept);
+      iterations += at.iterations;
+      if (round + 1 == most_contact_rounds && at.converged) {
+        at.converged = false;
+        at.reason = "the contact does not settle";
+      }
+    }
+    at.iterations = iterations;
+    return at;
   }
 
-  /// −z of every node.
-  static Eigen::VectorXd transverse(const Eigen::VectorXd& u) {
-    return -u.reshaped(3, u.size() / 3).row(2).transpose();
-  }
-
-  double rim_membrane_force(const Eigen::VectorXd& u) const {
-    double largest = 0;
-    for (int triangle : disc_.mesh.rim_triangles)
-      largest = std::max(largest, principal_forces(assembly_.membrane_force(u, triangle)).larger);
-    return largest;
-  }
-
-  Step step(int level, const Attempt& end) const {
-    const int copies = disc_.mesh.copies;
-    const Equilibrium& at = end.equilibrium;
-    Step step;
-    step.level = level;
-    step.converged = at.converged;
-    step.depth_A = record_.dot(transverse(end.u));
-    step.conjugate_depth_A = end.conjugate_depth;
-    step.force_eV_per_A = copies * at.force_eV_per_A;
-    step.energy_eV = copies * at.energy_eV;
-    step.relative_residual = at.relative_residual;
-    step.rim_membrane_force_eV_per_A2 = rim_membrane_force(end.u);
-    step.newton_iterations = iterations_;
-    return step;
+  void note_cut(double target, double between, const Equilibrium& at) {
+    std::ostringstream text;
+    text << "on the way to " << target << ": " << at.reason << "; trying " << between << " first";
+    report_.cuts.push_back(text.str());
   }
 
   std::string failure(std::size_t level, const Equilibrium& at) const {
     std::ostringstream text;
-    text << "level " << level << " (" << problem_.levels[level]
-         << (problem_.control == Control::force ? " eV/Å" : " Å") << "): " << at.reason
+    text << "level " << level << " (" << problem_.levels[level] << " " << drive_->unit() << "): " << at.reason
          << "; relative residual " << at.relative_residual;
     return text.str();
   }
 
+  double rim_membrane_force(const Eigen::VectorXd& u) {
+    const Mesh& mesh = model_.mesh();
+    double largest = 0;
+    for (int t : mesh.rim_triangles) {
+      const Voigt force = membrane_force(model_.stretching().material(), strain_of(mesh.triangles[t], u));
+      largest = std::max(largest, principal_forces(force).larger);
+    }
+    return largest;
+  }
+
+  /// What the supports do: forces on all nodes they hold, and their sum over the full sheet.
+  void add_reactions(Step& step) const {
+    const Mesh& mesh = model_.mesh();
+    step.reactions = Eigen::VectorXd::Zero(3 * mesh.node_count());
+    for (int n = 0; n < mesh.node_count(); ++n)
+      for (int c = 0; c < 3; ++c)
+        if (mesh.held[n][c]) step.reactions[3 * n + c] = newton_.gradient()[3 * n + c];
+    step.support_force_eV_per_A = mesh.copies * step.reactions.reshaped(3, mesh.node_count()).rowwise().sum();
+    if (mesh.copies > 1) step.support_force_eV_per_A.head<2>().setZero();
+    if (const auto* motion = std::get_if<EdgeMotion>(&problem_.load)) add_edge_reaction(*motion, step);
+  }
+
+  void add_edge_reaction(const EdgeMotion& motion, Step& step) const {
+    const Mesh& mesh = model_.mesh();
+    const double level = problem_.levels[step.level];
+    const Eigen::Vector2d pivot = motion.pivot_A + level * motion.translation_A.head<2>();
+    for (int node : mesh.edges.at(motion.edge)) {
+      const Eigen::Vector3d force = step.reactions.segment<3>(3 * node);
+      const Eigen::Vector2d arm = mesh.nodes[node] + step.displacements.segment<2>(3 * node) - pivot;
+      step.edge_force_eV_per_A += force;
+      step.edge_torque_eV += arm.x() * force.y() - arm.y() * force.x();
+    }
+  }
+
+  Step step(int level, const Attempt& end) {
+    const Mesh& mesh = model_.mesh();
+    const int copies = mesh.copies;
+    const Equilibrium& at = end.equilibrium;
+    const Eigen::VectorXd transverse = Model::transverse(end.u);
+    Step step;
+    step.level = level;
+    step.converged = at.converged;
+    step.depth_A = record_.dot(transverse.head(mesh.node_count()));
+    step.conjugate_depth_A = model_.pattern().weights.dot(transverse.head(model_.pattern().weights.size()));
+    step.force_eV_per_A = copies * at.force_eV_per_A;
+    step.pressure_eV_per_A3 = model_.pressure_towards_tip();
+    step.volume_A3 = -copies * model_.pressure().volume(end.u);
+    step.energy_eV = copies * model_.stretching_energy(end.u);
+    step.relative_residual = at.relative_residual;
+    step.residual_history = at.residual_history;
+    step.smallest_pivot_sign = at.smallest_pivot_sign;
+    for (const Obstacle* obstacle : model_.obstacles())
+      step.penetration_A = std::max(step.penetration_A, obstacle->penetration(end.u));
+    step.rim_membrane_force_eV_per_A2 = rim_membrane_force(end.u);
+    step.newton_iterations = iterations_;
+    step.displacements = end.u.head(3 * mesh.node_count());
+    add_reactions(step);
+    return step;
+  }
+
   const Problem& problem_;
-  QuarterDisc disc_;
-  Pattern pattern_;
+  Model model_;
   Eigen::VectorXd record_;
-  Assembly assembly_;
   Newton newton_;
-  Predictor predictor_;
+  std::unique_ptr<Drive> drive_;
+  Report report_;
   int iterations_ = 0;  ///< on the way to the present level, cut-backs included
 };
 

@@ -2,48 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace membrane {
 namespace {
 
-constexpr double tolerance = 1e-8;
 constexpr double rounding = 3e-14;  // of the triangles' forces on the nodes: no residual gets below it
-constexpr int most_iterations = 100;
 constexpr int chord_steps = 3;          // a factor is kept if that many more steps will do with it
 constexpr double armijo = 1e-4;         // share of the promised decrease that a step must deliver
 constexpr double energy_noise = 1e-12;  // relative; below it energies do not tell better from worse
 constexpr double shortest_step = 1e-8;
+constexpr double least_damping = 1e-7;  // of the largest diagonal entry of the tangent
 
 /// A sheet that is slack at the given depth carries no load and has no residual.
 double relative(double residual, double load) { return residual == 0 ? 0 : residual / load; }
 
 /// Whether the rate of the last step, kept up, ends the search soon: a new factor costs some three steps.
-bool keeps_pace(double residual, double before) {
+bool keeps_pace(double residual, double before, double tolerance) {
   return residual * std::pow(residual / before, chord_steps) <= tolerance;
 }
 
 }  // namespace
 
-Newton::Newton(const Mesh& mesh, Assembly& assembly, Eigen::VectorXd direction)
-    : mesh_(mesh), assembly_(assembly), direction_(std::move(direction)) {
-  release_held(direction_);
-}
-
-void Newton::release_held(Eigen::VectorXd& vector) const {
-  for (int n = 0; n < mesh_.node_count(); ++n)
-    for (int c = 0; c < 3; ++c)
-      if (mesh_.held[n][c]) vector[3 * n + c] = 0;
+Newton::Newton(TotalEnergy& energy, Eigen::VectorXd direction, SolverOptions options)
+    : total_(energy), options_(options), direction_(std::move(direction)) {
+  total_.release_held(direction_);
 }
 
 /// Factor of the Hessian, or of the least change of it that is positive definite: the step must go down.
-bool Newton::refresh(const Eigen::VectorXd& u) {
-  bool done = factor_.factorise(assembly_.hessian(u));
+bool Newton::factorise(const Eigen::VectorXd& u) {
+  pivot_sign_ = 1;
+  if (factor_.factorise(total_.hessian(u), damping_)) return true;
+  pivot_sign_ = 0;
+  if (factor_.factorise_singular(total_.hessian(u))) return true;
+  pivot_sign_ = -1;
   for (double share : {0.03, 0.1, 0.3})
-    if (!done && assembly_.bears_compression()) done = factor_.factorise(assembly_.convex_hessian(u, share));
-  if (!done) done = factor_.factorise_shifted(assembly_.convex_hessian(u, 1));
+    if (factor_.factorise(total_.hessian(u, share), damping_)) return true;
+  const Hessian::Matrix& positive = total_.hessian(u, 1);
+  for (; damping_ <= 1; damping_ = std::max(10 * damping_, least_damping))
+    if (factor_.factorise(positive, damping_)) return true;
+  damping_ = 0;
+  return false;
+}
+
+bool Newton::refresh(const Eigen::VectorXd& u) {
+  const bool done = factorise(u);
   if (done) response_ = factor_.solve(direction_);
   return done;
+}
+
+Eigen::VectorXd Newton::linear_response(const Eigen::VectorXd& u, const Eigen::VectorXd& right_side) {
+  if (!factorise(u)) return Eigen::VectorXd::Constant(right_side.size(), std::numeric_limits<double>::quiet_NaN());
+  return factor_.solve(right_side);
 }
 
 /// The multiplier of the depth: (g − F q)·K⁻¹ q = 0, so that the step K⁻¹(g − F q) leaves the depth as it is.
@@ -52,17 +63,33 @@ double Newton::force_at(const Target& target) const {
   return response_.dot(gradient_) / response_.dot(direction_);
 }
 
+/// What the residual is compared with: the load on the sheet, or what holds it against loads of other kinds.
+double Newton::load_norm(double force) const {
+  const double load = std::abs(force) * direction_.norm();
+  return load > 0 ? load : (gradient_ - residual_).norm();  // the held part
+}
+
 /// Force, residual and whether it is small enough, at the u of energy_ and gradient_.
 void Newton::measure(const Target& target, Equilibrium& at) {
   at.force_eV_per_A = force_at(target);
   at.energy_eV = energy_;
   at.compliance = response_.dot(direction_);
+  at.smallest_pivot_sign = pivot_sign_;
   residual_ = gradient_ - at.force_eV_per_A * direction_;
-  release_held(residual_);
+  total_.release_held(residual_);
   const double residual = residual_.norm();
-  at.relative_residual = relative(residual, std::abs(at.force_eV_per_A) * direction_.norm());
-  at.converged = std::isfinite(residual) &&
-                 (at.relative_residual <= tolerance || residual <= rounding * assembly_.part_norm());
+  at.relative_residual = relative(residual, load_norm(at.force_eV_per_A));
+  at.converged = std::isfinite(residual) && (at.relative_residual <= options_.relative_residual ||
+                                             residual <= rounding * total_.part_norm());
+}
+
+/// A short step says that the tangent promised too much: the next ones are held shorter. Wrinkled and slack zones of a
+/// sheet that is free to slide leave valleys without curvature, in which undamped steps are long and go nowhere.
+void Newton::adapt_damping(double step_length) {
+  if (step_length < 0.3)
+    damping_ = std::max(4 * damping_, least_damping);
+  else if (step_length == 1)
+    damping_ = damping_ > least_damping ? damping_ / 4 : 0;
 }
 
 /// Moves u, energy_ and gradient_ along step_ as far as the potential energy U − F d falls enough. Where its
@@ -72,12 +99,13 @@ bool Newton::line_search(double force, Eigen::VectorXd& u) {
   const double work = force * direction_.dot(step_);
   for (double length = 1; length > shortest_step;) {
     trial_ = u + length * step_;
-    const double trial_energy = assembly_.energy(trial_, trial_gradient_);
+    const double trial_energy = total_.energy(trial_, trial_gradient_);
     const double change = trial_energy - energy_ - length * work;
     const double noise = energy_noise * (std::abs(energy_) + std::abs(length * work));
     const bool down = std::abs(change) > noise ? change <= armijo * length * slope
                                                : trial_gradient_.dot(step_) - work <= 0.9 * std::abs(slope);
     if (down) {
+      adapt_damping(length);
       u.swap(trial_);
       gradient_.swap(trial_gradient_);
       energy_ = trial_energy;
@@ -89,12 +117,13 @@ bool Newton::line_search(double force, Eigen::VectorXd& u) {
   return false;
 }
 
-Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u) {
+Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor first) {
   Equilibrium at;
-  energy_ = assembly_.energy(u, gradient_);
-  bool wants_factor = true;
+  energy_ = total_.energy(u, gradient_);
+  damping_ = 0;
+  bool wants_factor = first == FirstFactor::fresh || !factor_.ready();
   bool fresh = false;  // the factor is that of this very u
-  double before = 0;   // relative residual one step ago
+  double before = std::numeric_limits<double>::infinity();  // relative residual one step ago
   while (true) {
     if (wants_factor) {
       if (!refresh(u)) {
@@ -105,20 +134,20 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u) {
       wants_factor = false;
     }
     measure(target, at);
-    if (at.converged) return at;
-    if (!fresh && !keeps_pace(at.relative_residual, before)) {
+    if (at.converged || at.iterations == options_.most_iterations) break;
+    if (!fresh && !(options_.keep_factor && keeps_pace(at.relative_residual, before, options_.relative_residual))) {
       wants_factor = true;
       continue;
     }
-    if (at.iterations == most_iterations) {
-      at.reason = "no equilibrium within " + std::to_string(most_iterations) + " iterations";
-      return at;
-    }
     step_ = -factor_.solve(residual_);
     if (line_search(at.force_eV_per_A, u)) {
+      at.residual_history.push_back(at.relative_residual);
       ++at.iterations;
       before = at.relative_residual;
       fresh = false;
+    } else if (fresh && damping_ < 0.1) {
+      damping_ = std::max(100 * damping_, least_damping);
+      wants_factor = true;
     } else if (fresh) {
       at.reason = "the line search found no lower potential energy";
       return at;
@@ -126,6 +155,9 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u) {
       wants_factor = true;
     }
   }
+  at.residual_history.push_back(at.relative_residual);
+  if (!at.converged) at.reason = "no equilibrium within " + std::to_string(options_.most_iterations) + " iterations";
+  return at;
 }
 
 }  // namespace membrane

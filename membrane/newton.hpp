@@ -3,10 +3,11 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
-#include "membrane/assembly.hpp"
 #include "membrane/factor.hpp"
 #include "membrane/problem.hpp"
+#include "membrane/total_energy.hpp"
 
 namespace membrane {
 
@@ -23,37 +24,53 @@ struct Equilibrium {
   double force_eV_per_A = 0;     ///< on the meshed part: given, or the multiplier of the depth
   double energy_eV = 0;          ///< of the meshed part
   double relative_residual = 0;  ///< |free residual| / |applied load|
-  int iterations = 0;            ///< steps taken
+  std::vector<double> residual_history;  ///< the same before each step, and at the end
+  int iterations = 0;                    ///< steps taken
+  int smallest_pivot_sign = 1;           ///< of the last tangent that was factorised: −1 indefinite, 0 singular
   /// dd/dF of the last factor (Å²/eV), the slope of the path; 0 before the first factorisation.
   double compliance = 0;
 };
+
+/// Whether a search begins with a tangent of its own or with the factor that is there.
+enum class FirstFactor { fresh, kept };
 
 /// Newton's method with a line search on the potential energy. A factor is kept while the residual still
 /// falls fast with it (chord steps). A controlled depth borders the system by the pattern: since it is linear
 /// in u, every step from a start that has it keeps it, and the force is the multiplier.
 class Newton {
  public:
-  /// direction: dd/du of the load pattern (Pattern::direction).
-  Newton(const Mesh& mesh, Assembly& assembly, Eigen::VectorXd direction);
+  /// direction: dd/du of the load pattern (Pattern::direction); zero where energies or supports are all that loads the
+  /// sheet: the residual is then measured by the supports' forces.
+  Newton(TotalEnergy& energy, Eigen::VectorXd direction, SolverOptions options);
 
-  /// Improves u (held components zero, and with conjugate depth control Pattern depth = target) in place.
-  Equilibrium solve(const Target& target, Eigen::VectorXd& u);
+  /// Improves u in place. It has the target's depth (with conjugate depth control) and its held components already.
+  Equilibrium solve(const Target& target, Eigen::VectorXd& u, FirstFactor first = FirstFactor::fresh);
+
+  /// dU/du at the u that solve() left: held components are the supports' forces.
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+
+  /// K⁻¹ of the tangent at u, on a vector whose held components are zero. Not finite where there is no tangent.
+  Eigen::VectorXd linear_response(const Eigen::VectorXd& u, const Eigen::VectorXd& right_side);
 
   int factorisations() const { return factor_.count(); }
 
  private:
   bool refresh(const Eigen::VectorXd& u);
+  bool factorise(const Eigen::VectorXd& u);
   double force_at(const Target& target) const;
+  double load_norm(double force) const;
   void measure(const Target& target, Equilibrium& at);
+  void adapt_damping(double step_length);
   bool line_search(double force, Eigen::VectorXd& u);
-  void release_held(Eigen::VectorXd& vector) const;
 
-  const Mesh& mesh_;
-  Assembly& assembly_;
+  TotalEnergy& total_;
+  SolverOptions options_;
   Factor factor_;
   Eigen::VectorXd direction_;  ///< of the load, zero where held
   Eigen::VectorXd response_;   ///< K⁻¹ direction, with the factor kept
   double energy_ = 0;
+  int pivot_sign_ = 1;
+  double damping_ = 0;  ///< share of the tangent's largest diagonal entry that is added to its diagonal
   Eigen::VectorXd gradient_, residual_, step_, trial_, trial_gradient_;
 };
 

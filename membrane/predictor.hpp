@@ -14,15 +14,29 @@ struct PathPoint {
   Eigen::VectorXd u;          ///< displacements, Å
 };
 
-/// Extrapolates displacements in the conjugate depth d. A sheet that starts flat has u_z odd and u_x, u_y
-/// even in d, and without pretension u_z ~ d, u_xy ~ d² at small slopes; so the smooth functions u_z/d and
-/// u_xy/d² of d are what is extrapolated (Lagrange), which makes one earlier point a good guess and four an
-/// excellent one.
+/// How displacements begin along a path, as powers of its parameter: what is left after dividing by them is smooth.
+struct Scaling {
+  int in_plane = 2, transverse = 1;
+};
+
+/// A sheet pulled out of its plane from flat has u_z odd and u_x, u_y even in d, and without pretension u_z ~ d, u_xy ~ d²
+/// at small slopes.
+inline constexpr Scaling from_flat{2, 1};
+/// An edge moves: everything goes with the motion.
+inline constexpr Scaling with_motion{1, 1};
+/// The sheet is bulged before the path begins.
+inline constexpr Scaling from_bulged{0, 0};
+
+/// Extrapolates displacements in the conjugate depth d (or the multiple of a motion): the scaled displacements are
+/// polynomials in d (Lagrange), which makes one earlier point a good guess and four an excellent one.
 class Predictor {
  public:
+  explicit Predictor(Scaling scaling = from_flat) : scaling_(scaling) {}
+
   void add(PathPoint point);
 
   bool empty() const { return points_.empty(); }
+  std::size_t size() const { return points_.size(); }
   const PathPoint& last() const { return points_.back(); }
 
   /// Displacements at a conjugate depth; they have that depth exactly. Needs at least one point.
@@ -33,6 +47,9 @@ class Predictor {
   double conjugate_depth(double force_eV_per_A) const;
 
  private:
+  std::size_t points_that_reach(double conjugate_depth_A) const;
+
+  Scaling scaling_;
   std::deque<PathPoint> points_;  ///< in the order of the path, no depth twice
 };
 

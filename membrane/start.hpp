@@ -3,19 +3,34 @@
 
 #include <Eigen/Core>
 
-#include "membrane/mesh.hpp"
+#include "membrane/model.hpp"
+#include "membrane/newton.hpp"
 
 namespace membrane {
 
-/// Schwerin's shape w ~ 1 − (ρ/ρ_a)^(2/3), exact under a point load for nu = 1/3, rounded over the load's
-/// radius (ρ² = r² + c²) and scaled to the conjugate depth. In-plane displacements are zero, as they are
-/// there. E. Schwerin, Z. angew. Math. Mech. 9 (1929) 482. Returns displacements over all degrees of freedom,
-/// Å.
-Eigen::VectorXd start_shape(const Mesh& mesh, const Eigen::VectorXd& pattern_weights, double sheet_radius_A,
-                            double load_radius_A, double conjugate_depth_A);
+/// How the flat sheet answers a small load if an artificial pretension stiffens it: the direction of the first step. The
+/// model is left as it was. Displacements over all degrees of freedom per unit of the load (a node's force pattern), or
+/// per unit of a motion of held nodes; not finite where even the stiffened sheet has no answer.
+class StiffenedSheet {
+ public:
+  StiffenedSheet(Model& model, Newton& newton) : model_(model), newton_(newton) {}
 
-/// Depth (Å) at which F = π N0 δ + E·h δ³/a²: of the right size for any load, which is all a start needs.
-double start_depth(double force_eV_per_A, double sheet_modulus_eV_per_A2, double pretension_eV_per_A2,
-                   double sheet_radius_A);
+  /// Answer to forces on the nodes (eV/Å).
+  Eigen::VectorXd under_forces(const Eigen::VectorXd& forces);
+
+  /// Answer to small displacements of held nodes, these included.
+  Eigen::VectorXd under_motion(const Eigen::VectorXd& held_displacements);
+
+ private:
+  template <class Call>
+  Eigen::VectorXd while_stiffened(Call call);
+
+  Model& model_;
+  Newton& newton_;
+};
+
+/// The multiple of a shape at which U(shape) − work of the forces on it is least: where the load has lifted a sheet
+/// that stiffens as it stretches.
+double balanced_amplitude(Model& model, const Eigen::VectorXd& shape, const Eigen::VectorXd& forces);
 
 }  // namespace membrane

@@ -6,15 +6,6 @@
 #include "membrane/refusal.hpp"
 
 namespace membrane {
-namespace {
-
-struct PatternOf {
-  const Mesh& mesh;
-  Pattern operator()(const PointLoad&) const { return point_pattern(mesh, 0); }
-  Pattern operator()(const DiscLoad& disc) const { return disc_pattern(mesh, disc.radius_A); }
-};
-
-}  // namespace
 
 Eigen::VectorXd Pattern::direction() const {
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(3 * weights.size());
@@ -22,26 +13,35 @@ Eigen::VectorXd Pattern::direction() const {
   return direction;
 }
 
-Pattern point_pattern(const Mesh& mesh, int node) {
-  if (node < 0 || node >= mesh.node_count()) throw std::out_of_range("point_pattern: no such node");
-  Pattern pattern{Eigen::VectorXd::Zero(mesh.node_count())};
+Pattern point_pattern(int nodes, int node) {
+  if (node < 0 || node >= nodes) throw std::out_of_range("point_pattern: no such node");
+  Pattern pattern{Eigen::VectorXd::Zero(nodes)};
   pattern.weights[node] = 1;
   return pattern;
 }
 
 Pattern disc_pattern(const Mesh& mesh, double radius_A) {
+  return radial_pattern(mesh, radius_A, [](double) { return 1.0; });
+}
+
+Pattern radial_pattern(const Mesh& mesh, double radius_A, const std::function<double(double)>& density) {
   const double reach = radius_A * (1 + 1e-9);  // the nodes of the edge are on it to rounding
   const auto inside = [&](int node) { return mesh.nodes[node].norm() <= reach; };
   Pattern pattern{Eigen::VectorXd::Zero(mesh.node_count())};
-  for (const Triangle& triangle : mesh.triangles)
-    if (std::all_of(triangle.nodes.begin(), triangle.nodes.end(), inside))
-      for (int node : triangle.nodes) pattern.weights[node] += triangle.area_A2 / 3;
-  const double area = pattern.weights.sum();
-  if (!(area > 0)) refuse("load.radius_A", radius_A, "no triangle of the sheet lies within it");
-  pattern.weights /= area;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto& nodes = triangle.nodes;
+    if (!std::all_of(nodes.begin(), nodes.end(), inside)) continue;
+    for (int side = 0; side < 3; ++side) {  // both ends of a side have shape function ½ in its middle
+      const int a = nodes[side], b = nodes[(side + 1) % 3];
+      const double share = triangle.area_A2 / 6 * density(0.5 * (mesh.nodes[a] + mesh.nodes[b]).norm());
+      pattern.weights[a] += share;
+      pattern.weights[b] += share;
+    }
+  }
+  const double total = pattern.weights.sum();
+  if (!(total > 0)) refuse("load.radius_A", radius_A, "no loaded triangle of the sheet lies within it");
+  pattern.weights /= total;
   return pattern;
 }
-
-Pattern make_pattern(const Load& load, const Mesh& mesh) { return std::visit(PatternOf{mesh}, load); }
 
 }  // namespace membrane

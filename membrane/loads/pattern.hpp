@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 #include "membrane/mesh.hpp"
-#include "membrane/problem.hpp"
 
 namespace membrane {
 
@@ -17,15 +17,15 @@ struct Pattern {
   Eigen::VectorXd direction() const;
 };
 
-/// The whole force on one node. Throws std::out_of_range for a node that is not there.
-Pattern point_pattern(const Mesh& mesh, int node);
+/// The whole force on one node of `nodes`. Throws std::out_of_range for a node that is not there.
+Pattern point_pattern(int nodes, int node);
 
 /// Uniform per reference area over the triangles within radius_A of the origin, whose edge must lie on
 /// element edges. The total is one whatever area the chords cut off. Throws std::invalid_argument if none
 /// lies inside.
 Pattern disc_pattern(const Mesh& mesh, double radius_A);
 
-/// The pattern of a load on a sheet whose tip is node 0.
-Pattern make_pattern(const Load& load, const Mesh& mesh);
+/// The same with a density over the radius (Å), by the triangles' mid-side rule (exact for a linear density).
+Pattern radial_pattern(const Mesh& mesh, double radius_A, const std::function<double(double)>& density);
 
 }  // namespace membrane

@@ -31,7 +31,7 @@ std::vector<Step> path(const Problem& problem) {
 
 Problem sheet(double modulus, double nu, Load load, std::vector<double> levels, double radius = 110) {
   Problem problem;
-  problem.sheet.radius_A = radius;
+  problem.sheet = DiscSheet{.radius_A = radius};
   problem.law = StVenantKirchhoff{modulus, nu};
   problem.load = load;
   problem.levels = std::move(levels);
@@ -76,7 +76,7 @@ TEST(Path, PaperDiscConvergesWithTheSquareOfTheMesh) {
   const auto error = [&](int rings) {
     Problem problem = sheet(5.864 * 1.37, 0.19, DiscLoad{10}, {reference[5][1]});
     problem.control = Control::force;
-    problem.sheet.rings = rings;
+    std::get<DiscSheet>(problem.sheet).rings = rings;
     return reference[5][0] / path(problem).at(0).depth_A - 1;
   };
   EXPECT_NEAR(std::log2(error(24) / error(48)), 2, 0.25);
@@ -140,7 +140,7 @@ TEST(Path, PrestressMayPointAnywhere) {
   prestress << 0.12, 0, 0, 0.03;
   const Eigen::Matrix2d turn = Eigen::Rotation2D<double>(0.6).toRotationMatrix();
   Problem problem = sheet(8, 0.19, DiscLoad{10}, {4, 8});
-  problem.sheet.rings = 32;
+  std::get<DiscSheet>(problem.sheet).rings = 32;
   problem.prestress_eV_per_A2 = prestress;
   const auto straight = path(problem);
   problem.prestress_eV_per_A2 = turn * prestress * turn.transpose();
@@ -152,7 +152,7 @@ TEST(Path, PrestressMayPointAnywhere) {
 TEST(Path, RelaxationActsOnlyWhereSomethingWouldBeCompressed) {
   const auto force = [](double nu, bool relaxed) {
     Problem problem = sheet(8, nu, DiscLoad{10}, {8});
-    problem.sheet.rings = 32;
+    std::get<DiscSheet>(problem.sheet).rings = 32;
     problem.relaxed = relaxed;
     return path(problem).at(0);
   };
@@ -167,7 +167,7 @@ TEST(Path, EnergyIsTheWorkDone) {
   std::vector<double> depths;
   for (int i = 1; i <= 40; ++i) depths.push_back(0.5 * i);
   Problem problem = sheet(17.3, 0.36, DiscLoad{10}, depths, 112);
-  problem.sheet.rings = 24;
+  std::get<DiscSheet>(problem.sheet).rings = 24;
   double work = 0;
   Step before;
   for (const Step& step : path(problem)) {  // Simpson would be finer; the force is smooth enough
@@ -190,7 +190,7 @@ TEST(Path, DepthOfRecordIsTakenAtItsRadius) {
 
 TEST(Path, LevelsMayComeInAnyOrderAndBeFarApart) {
   Problem problem = sheet(17.3, 0.36, DiscLoad{10}, {24, 0.1, 0.1, 60, 6}, 112);
-  problem.sheet.rings = 24;
+  std::get<DiscSheet>(problem.sheet).rings = 24;
   const auto steps = path(problem);
   EXPECT_NEAR(steps[1].force_eV_per_A / steps[2].force_eV_per_A, 1, 1e-9);
   problem.levels = {6};
@@ -224,7 +224,7 @@ TEST(Path, IsDoneInFewFactorisations) {
 
 TEST(Path, EndsWhenTheCallerSaysSo) {
   Problem problem = sheet(8, 0.19, DiscLoad{10}, {2, 4, 6});
-  problem.sheet.rings = 16;
+  std::get<DiscSheet>(problem.sheet).rings = 16;
   int calls = 0;
   const Report report = solve(problem, [&](const Step&) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);
@@ -234,7 +234,7 @@ TEST(Path, EndsWhenTheCallerSaysSo) {
 
 TEST(Path, NotConvergingIsReportedWithTheStepsSoFar) {
   Problem problem = sheet(8, 0.19, DiscLoad{10}, {2, 1e200});
-  problem.sheet.rings = 16;
+  std::get<DiscSheet>(problem.sheet).rings = 16;
   std::vector<Step> steps;
   const Report report = solve(problem, [&](const Step& step) {
     steps.push_back(step);

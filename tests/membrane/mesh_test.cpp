@@ -5,39 +5,36 @@
 #include <cmath>
 #include <numbers>
 
-#include "membrane/grading.hpp"
 #include "membrane/loads/pattern.hpp"
-#include "membrane/quarter_disc.hpp"
+#include "membrane/sheets/grading.hpp"
+#include "membrane/sheets/rectangle.hpp"
+#include "membrane/sheets/rings.hpp"
 
 namespace membrane {
 namespace {
 
-QuarterDisc disc_for(double load, double record = 0, int rings = 44) {
-  return quarter_disc(graded_radii({110, load, record, rings}));
-}
+constexpr double pi = std::numbers::pi;
 
-double area_of(const Mesh& mesh) {
-  double area = 0;
-  for (const Triangle& triangle : mesh.triangles) area += triangle.area_A2;
-  return area;
+Mesh disc_for(double load, double record = 0, int rings = 44) {
+  return make_mesh(DiscSheet{.radius_A = 110, .rings = rings}, {load, record});
 }
 
 TEST(QuarterDisc, HoldsOddNumbersOfTriangles) {
-  const QuarterDisc disc = disc_for(0);
-  EXPECT_EQ(disc.mesh.triangles.size(), 1936u);  // the paper's 44²
-  EXPECT_EQ(disc.mesh.node_count(), 45 * 46 / 2);
-  EXPECT_EQ(disc.mesh.rim_triangles.size(), 44u);
+  const Mesh mesh = disc_for(0);
+  EXPECT_EQ(mesh.triangles.size(), 1936u);  // the paper's 44²
+  EXPECT_EQ(mesh.node_count(), 45 * 46 / 2);
+  EXPECT_EQ(mesh.rim_triangles.size(), 44u);
 }
 
 TEST(QuarterDisc, LosesOnlyTheSegmentsOfItsRim) {
-  const double angle = std::numbers::pi / 88;  // 44 chords per quarter
-  const double circle = 0.25 * std::numbers::pi * 110 * 110;
-  EXPECT_NEAR(area_of(disc_for(10).mesh) / circle, std::sin(angle) / angle, 1e-12);
-  EXPECT_NEAR(area_of(disc_for(10).mesh) / circle, 1 - angle * angle / 6, 1e-6);
+  const double angle = pi / 88;  // 44 chords per quarter
+  const double circle = 0.25 * pi * 110 * 110;
+  EXPECT_NEAR(disc_for(10).area_A2() / circle, std::sin(angle) / angle, 1e-12);
+  EXPECT_NEAR(disc_for(10).area_A2() / circle, 1 - angle * angle / 6, 1e-6);
 }
 
 TEST(QuarterDisc, HoldsRimAndSymmetryPlanes) {
-  const Mesh& mesh = disc_for(10).mesh;
+  const Mesh mesh = disc_for(10);
   for (int n = 0; n < mesh.node_count(); ++n) {
     const bool rim = mesh.nodes[n].norm() > 110 * (1 - 1e-12);
     EXPECT_EQ(mesh.held[n][0], rim || mesh.nodes[n].x() == 0);
@@ -58,7 +55,7 @@ TEST(Grading, PutsRingsOnLoadAndRecordRadiusForAnyTip) {
         EXPECT_EQ(radii.back(), 110);
         EXPECT_TRUE(std::is_sorted(radii.begin(), radii.end(), std::less_equal<>()));
         EXPECT_EQ(std::count(radii.begin(), radii.end(), load), 1);
-        EXPECT_NO_THROW(quarter_disc(radii));  // no triangle turned over
+        EXPECT_NO_THROW(disc_mesh(radii, Extent::quarter));  // no triangle turned over
       }
 }
 
@@ -70,37 +67,36 @@ TEST(Grading, RecordRadiusIsARingUnlessItWouldBeASliver) {
 }
 
 TEST(MeanOnCircle, IsExactForLinearFieldsInTheRadius) {
-  const QuarterDisc disc = disc_for(10, 1.42);
-  Eigen::VectorXd radius(disc.mesh.node_count());
-  for (int n = 0; n < disc.mesh.node_count(); ++n) radius[n] = disc.mesh.nodes[n].norm();
+  const Mesh mesh = disc_for(10, 1.42);
+  Eigen::VectorXd radius(mesh.node_count());
+  for (int n = 0; n < mesh.node_count(); ++n) radius[n] = mesh.nodes[n].norm();
   for (double r : {0.0, 1.42, 5.03, 10.0, 109.0}) {
-    const Eigen::VectorXd weights = mean_on_circle(disc, r);
+    const Eigen::VectorXd weights = mean_on_circle(mesh, r);
     EXPECT_NEAR(weights.sum(), 1, 1e-14);
     EXPECT_NEAR(weights.dot(radius), r, 1e-12);
   }
 }
 
 TEST(MeanOnCircle, CountsNodesOnThePlanesHalf) {
-  const QuarterDisc disc = disc_for(10, 1.42);
-  Eigen::VectorXd field(disc.mesh.node_count());  // cos 2θ: mean 0 over the circle
-  for (int n = 0; n < disc.mesh.node_count(); ++n) {
-    const Eigen::Vector2d& x = disc.mesh.nodes[n];
+  const Mesh mesh = disc_for(10, 1.42);
+  Eigen::VectorXd field(mesh.node_count());  // cos 2θ: mean 0 over the circle
+  for (int n = 0; n < mesh.node_count(); ++n) {
+    const Eigen::Vector2d& x = mesh.nodes[n];
     field[n] = n == 0 ? 0 : (x.x() * x.x() - x.y() * x.y()) / x.squaredNorm();
   }
-  EXPECT_NEAR(mean_on_circle(disc, 1.42).dot(field), 0, 1e-14);
+  EXPECT_NEAR(mean_on_circle(mesh, 1.42).dot(field), 0, 1e-14);
 }
 
 TEST(Pattern, HasUnitTotalAndNoNegativeWeight) {
-  const Mesh& mesh = disc_for(10).mesh;
-  for (const Load& load : {Load{PointLoad{}}, Load{DiscLoad{10}}}) {
-    const Pattern pattern = make_pattern(load, mesh);
+  const Mesh mesh = disc_for(10);
+  for (const Pattern& pattern : {Pattern{mean_on_circle(mesh, 0)}, disc_pattern(mesh, 10)}) {
     EXPECT_NEAR(pattern.weights.sum(), 1, 1e-14);
     EXPECT_GE(pattern.weights.minCoeff(), 0);
   }
 }
 
 TEST(Pattern, DiscEndsAtItsEdge) {
-  const Mesh& mesh = disc_for(10).mesh;
+  const Mesh mesh = disc_for(10);
   const Pattern pattern = disc_pattern(mesh, 10);
   double second_moment = 0;
   for (int n = 0; n < mesh.node_count(); ++n) {
@@ -113,8 +109,8 @@ TEST(Pattern, DiscEndsAtItsEdge) {
 }
 
 TEST(Pattern, ConjugateDepthOfARigidShiftIsTheShift) {
-  const Mesh& mesh = disc_for(10).mesh;
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.dof_count());
+  const Mesh mesh = disc_for(10);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * mesh.node_count());
   for (int n = 0; n < mesh.node_count(); ++n) u[3 * n + 2] = -3;
   EXPECT_NEAR(disc_pattern(mesh, 10).direction().dot(u), 3, 1e-13);
 }

@@ -15,7 +15,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 Problem good() {
   Problem problem;
-  problem.sheet = {110, 16};
+  problem.sheet = DiscSheet{.radius_A = 110, .rings = 16};
   problem.law = StVenantKirchhoff{8, 0.19};
   problem.load = DiscLoad{10};
   problem.levels = {2};
@@ -44,11 +44,11 @@ TEST_P(Refusal, NamesTheMember) {
 
 INSTANTIATE_TEST_SUITE_P(
     Problems, Refusal,
-    ::testing::Values(Bad{"sheet.radius_A", [](Problem& p) { p.sheet.radius_A = 0; }},
-                      Bad{"sheet.radius_A", [](Problem& p) { p.sheet.radius_A = nan; }},
-                      Bad{"sheet.radius_A", [](Problem& p) { p.sheet.radius_A = inf; }},
-                      Bad{"sheet.rings", [](Problem& p) { p.sheet.rings = 3; }},
-                      Bad{"sheet.rings", [](Problem& p) { p.sheet.rings = 1000000; }},
+    ::testing::Values(Bad{"sheet.radius_A", [](Problem& p) { std::get<DiscSheet>(p.sheet).radius_A = 0; }},
+                      Bad{"sheet.radius_A", [](Problem& p) { std::get<DiscSheet>(p.sheet).radius_A = nan; }},
+                      Bad{"sheet.radius_A", [](Problem& p) { std::get<DiscSheet>(p.sheet).radius_A = inf; }},
+                      Bad{"sheet.rings", [](Problem& p) { std::get<DiscSheet>(p.sheet).rings = 3; }},
+                      Bad{"sheet.rings", [](Problem& p) { std::get<DiscSheet>(p.sheet).rings = 1000000; }},
                       Bad{"law.nu",
                           [](Problem& p) {
                             p.law = StVenantKirchhoff{8, 1};

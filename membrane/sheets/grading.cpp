@@ -1,4 +1,4 @@
-#include "membrane/grading.hpp"
+#include "membrane/sheets/grading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +79,18 @@ std::vector<double> graded_radii(const RingDemand& demand) {
     for (int ring = low + 1; ring < high; ++ring)
       radii[ring] = grading.radius(from + (to - from) * (ring - low) / (high - low));
     radii[high] = high_radius;  // exactly, not to rounding
+  }
+  return radii;
+}
+
+std::vector<double> uniform_radii(const RingDemand& demand) {
+  const double width = demand.sheet_radius_A / demand.rings;
+  std::vector<double> radii(demand.rings + 1);
+  for (int ring = 0; ring <= demand.rings; ++ring) radii[ring] = width * ring;
+  radii.back() = demand.sheet_radius_A;
+  for (double wanted : {demand.record_radius_A, demand.load_radius_A}) {  // the load's edge has the last word
+    const int nearest = std::clamp(static_cast<int>(std::lround(wanted / width)), 1, demand.rings - 1);
+    if (wanted > 0) radii[nearest] = wanted;
   }
   return radii;
 }

@@ -24,4 +24,7 @@ inline constexpr int fewest_rings = 8;
 /// and r^(7/9) outside.
 std::vector<double> graded_radii(const RingDemand& demand);
 
+/// Rings of one width, apart from those next to the load's edge and the record radius, to which the nearest ring moves.
+std::vector<double> uniform_radii(const RingDemand& demand);
+
 }  // namespace membrane

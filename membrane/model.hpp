@@ -1,0 +1,67 @@
+// A problem made ready to solve: mesh, energies, and how its load acts on them.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "membrane/loads/pattern.hpp"
+#include "membrane/problem.hpp"
+#include "membrane/terms/obstacles.hpp"
+#include "membrane/terms/pressure.hpp"
+#include "membrane/terms/stretching.hpp"
+#include "membrane/total_energy.hpp"
+
+namespace membrane {
+
+/// The parts refer to each other: neither copied nor moved.
+class Model {
+ public:
+  explicit Model(const Problem& problem);
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  const Mesh& mesh() const { return mesh_; }
+  TotalEnergy& energy() { return *energy_; }
+  Stretching& stretching() { return stretching_; }
+  Pressure& pressure() { return pressure_; }
+  const std::vector<Obstacle*>& obstacles() const { return obstacles_; }
+
+  /// Weights over all nodes, an indenter's included, whose sum of −z is the conjugate depth; zero for a load that has
+  /// none (pressure, motion).
+  const Pattern& pattern() const { return pattern_; }
+
+  /// −z of every node, an indenter's included.
+  static Eigen::VectorXd transverse(const Eigen::VectorXd& u) { return -u.reshaped(3, u.size() / 3).row(2).transpose(); }
+
+  /// Pressure towards −z, eV/Å³.
+  void set_pressure(double value) { pressure_.set(-value); }
+  double pressure_towards_tip() const { return -pressure_.value(); }
+
+  /// The stretching energy alone (eV), of the meshed part.
+  double stretching_energy(const Eigen::VectorXd& u);
+
+  /// Puts the nodes of a moved edge where the level wants them.
+  void move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const;
+
+  /// Puts a sphere where no bulge reaches it.
+  void park_indenter(Eigen::VectorXd& u) const;
+
+  /// Lowers the nodes that a sphere at its place in u has inside to its surface.
+  void clear_sphere(const SphereLoad& sphere, Eigen::VectorXd& u) const;
+
+ private:
+  Mesh mesh_;
+  Stretching stretching_;
+  Pressure pressure_;
+  std::unique_ptr<SphereObstacle> sphere_;
+  std::unique_ptr<MirrorPlanes> planes_;
+  std::vector<Obstacle*> obstacles_;
+  std::unique_ptr<TotalEnergy> energy_;
+  Pattern pattern_;
+};
+
+/// Radius on which a load ends, or is likely to end for a sphere; 0 where it has none. Å.
+double load_radius_A(const Load& load);
+
+}  // namespace membrane

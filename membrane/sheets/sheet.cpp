@@ -1,0 +1,102 @@
+#include "membrane/sheets/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "membrane/refusal.hpp"
+#include "membrane/sheets/grading.hpp"
+#include "membrane/sheets/rectangle.hpp"
+#include "membrane/sheets/rings.hpp"
+
+namespace membrane {
+namespace {
+
+constexpr int most_rings = 2000;
+constexpr int most_cells = 4000;
+
+void check_length(const char* name, double length) {
+  if (!(length > 0) || !std::isfinite(length)) refuse(name, length, "must be positive and finite");
+}
+
+void check_count(const char* name, int count, int fewest, int most) {
+  if (count < fewest || count > most)
+    refuse(name, count, "must lie between " + std::to_string(fewest) + " and " + std::to_string(most));
+}
+
+struct Check {
+  void operator()(const DiscSheet& disc) const {
+    check_length("sheet.radius_A", disc.radius_A);
+    check_count("sheet.rings", disc.rings, fewest_rings, most_rings);
+    if (disc.rim == Support::free) refuse("sheet.rim", "free", "a disc must be held at its rim: clamped or sliding");
+  }
+  void operator()(const AnnulusSheet& ring) const {
+    check_length("sheet.radius_A", ring.radius_A);
+    check_length("sheet.hub_radius_A", ring.hub_radius_A);
+    if (!(ring.hub_radius_A < ring.radius_A))
+      refuse("sheet.hub_radius_A", ring.hub_radius_A, "must be smaller than sheet.radius_A");
+    check_count("sheet.rings", ring.rings, 1, most_rings);
+    check_count("sheet.around", ring.around, 8, 4 * most_cells);
+    if (ring.hub != Support::clamped && ring.rim != Support::clamped)
+      refuse("sheet.hub", "not clamped", "hub or rim must be clamped, or the sheet can turn in its plane");
+  }
+  void operator()(const RectangleSheet& r) const {
+    check_length("sheet.length_x_A", r.length_x_A);
+    check_length("sheet.length_y_A", r.length_y_A);
+    check_count("sheet.cells_x", r.cells_x, 1, most_cells);
+    check_count("sheet.cells_y", r.cells_y, 1, most_cells);
+    if (!(r.edge_grading >= 1 && r.edge_grading <= 1000))
+      refuse("sheet.edge_grading", r.edge_grading, "must lie between 1 and 1000");
+    const bool quarter = r.extent == Extent::quarter;
+    if (quarter && (r.left != r.right || r.bottom != r.top))
+      refuse("sheet.extent", "quarter", "opposite edges must be held alike: left and right, bottom and top");
+    if (!quarter) return;
+    const auto holds = [](Support support) { return support != Support::free; };
+    if (!holds(r.right) && !holds(r.top)) refuse("sheet.right", "free", "some edge must be held: clamped or sliding");
+  }
+};
+
+struct MeshOf {
+  const MeshDemand& demand;
+  Mesh operator()(const DiscSheet& disc) const {
+    const RingDemand rings{disc.radius_A, demand.load_radius_A, demand.record_radius_A, disc.rings};
+    Mesh mesh = disc_mesh(disc.spacing == RingSpacing::graded ? graded_radii(rings) : uniform_radii(rings), disc.extent);
+    mesh.support(Edge::rim, disc.rim);
+    return mesh;
+  }
+  Mesh operator()(const AnnulusSheet& ring) const {
+    Mesh mesh = annulus_mesh(ring.hub_radius_A, ring.radius_A, ring.rings, ring.around);
+    mesh.support(Edge::hub, ring.hub);
+    mesh.support(Edge::rim, ring.rim);
+    return mesh;
+  }
+  Mesh operator()(const RectangleSheet& r) const {
+    Mesh mesh = rectangle_mesh(r);
+    for (const auto& [edge, support] : {std::pair{Edge::left, r.left}, std::pair{Edge::right, r.right},
+                                        std::pair{Edge::bottom, r.bottom}, std::pair{Edge::top, r.top}})
+      if (mesh.edges.contains(edge)) mesh.support(edge, support);
+    return mesh;
+  }
+};
+
+}  // namespace
+
+DiscSheet paper_disc(double radius_A) {
+  return {.radius_A = radius_A, .rings = 44, .spacing = RingSpacing::uniform};
+}
+
+RectangleSheet paper_square(double side_A) {
+  return {.length_x_A = side_A, .length_y_A = side_A, .cells_x = 60, .cells_y = 60, .extent = Extent::full};
+}
+
+void check(const Sheet& sheet) { std::visit(Check{}, sheet); }
+
+Mesh make_mesh(const Sheet& sheet, const MeshDemand& demand) { return std::visit(MeshOf{demand}, sheet); }
+
+double inner_radius_A(const Sheet& sheet) {
+  if (const auto* rectangle = std::get_if<RectangleSheet>(&sheet))
+    return 0.5 * std::min(rectangle->length_x_A, rectangle->length_y_A);
+  if (const auto* disc = std::get_if<DiscSheet>(&sheet)) return disc->radius_A;
+  return std::get<AnnulusSheet>(sheet).radius_A;
+}
+
+}  // namespace membrane
