@@ -1,9 +1,8 @@
 // A stretched strip of width H bent in its plane: tension P, moment M, tension field, small strain.
 //
-// Fibres bear E·h (κ times their distance from the wrinkled band of width b) and nothing inside it. The
-// resultant lies two thirds up the taut part:  b/H = 3 M/(P H) − ½  for 1/6 ≤ M/(P H) < ½, and P = ½ E·h κ (H
-// − b)² gives
-//   2 M/(P H) = 1 − ⅔ √(2 P/(E·h κ H²));
+// Fibres bear E·h κ times their distance from the wrinkled band of width b, and nothing inside it. The
+// resultant lies two thirds up the taut part, and P = ½ E·h κ (H − b)²; hence for 1/6 ≤ M/(P H) < ½
+//   b/H = 3 M/(P H) − ½,   2 M/(P H) = 1 − ⅔ √(2 P/(E·h κ H²));
 // below 1/6 the strip is a beam, κ = 12 M/(E·h H³). Stein & Hedgepeth, NASA TN D-813 (1961). Closed form.
 #pragma once
 

@@ -18,10 +18,10 @@ void expect_converges(Solve solve, int coarse, double order, double rounding) {
   EXPECT_GT(first, rounding) << "too fine a start to show an order";
 }
 
-/// The default number of steps leaves an error below `tolerance`, relative, as eight times as many tell.
+/// The default number of steps leaves an error below `tolerance`, relative, as four times as many tell.
 template <class Solve>
 void expect_settled(Solve solve, int steps, double tolerance) {
-  const double best = solve(8 * steps);
+  const double best = solve(4 * steps);
   EXPECT_LE(std::abs(solve(steps) / best - 1), tolerance) << "value " << best;
 }
 

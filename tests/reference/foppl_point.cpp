@@ -41,7 +41,7 @@ PointLoad foppl_point(double nu, int steps) {
   double end = 0;
   if (std::abs(nu - 1.0 / 3) > 1e-7) {
     end = 1;
-    while (rim_condition(end) < 0) end += 0.5;
+    while (end < 100 && rim_condition(end) < 0) end += 0.5;
     end = root(rim_condition, end - 0.5, end);
   }
   const auto y = leave_saddle(end > 0 ? departure : 0, end, end > 0 ? steps : 0);

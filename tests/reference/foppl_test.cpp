@@ -20,9 +20,8 @@ TEST(FopplPoint, IsSchwerinsSolutionAtOneThird) {
   EXPECT_NEAR(load.rim_force, 0.25, 1e-14);  // E·h/(1 − nu²) w'²/2 with w' = 2 delta/(3 a)
 }
 
-// alpha: pi/3 and the values of Vella & Davidovitch 2017 and of the ODE solved elsewhere, five digits.
+// The same equation solved elsewhere, five and four digits.
 TEST(FopplPoint, AgreesWithPublishedFactors) {
-  EXPECT_NEAR(foppl_point(0).alpha, 0.86099, 1.1e-5);
   EXPECT_NEAR(foppl_point(0.165).alpha, 0.93770, 5e-6);
   EXPECT_NEAR(foppl_point(0.19).alpha, 0.95155, 5e-6);
   EXPECT_NEAR(foppl_point(0.3).alpha, 1.02206, 5e-6);
@@ -71,6 +70,15 @@ TEST(FopplDisc, NearsThePointLoadAsTheDiscShrinks) {
   // By (c/a)^(2/3), and its square.
   EXPECT_NEAR(excess(8e-3) / excess(1e-3), 4, 0.2);
   EXPECT_NEAR(excess(8e-5) / excess(1e-5), 4, 0.2 / 16);
+}
+
+// The limit of the disc, the powers 2/3 and 4/3 of c/a taken out, is the point load solved in its own way.
+TEST(FopplDisc, ExtrapolatesToThePointLoad) {
+  for (const double nu : {-0.158, 0.0, 0.165, 0.3}) {
+    const double coarse = alpha({nu, 6.4e-3}), middle = alpha({nu, 8e-4}), fine = alpha({nu, 1e-4});
+    const double first = middle + (middle - coarse) / 3, second = fine + (fine - middle) / 3;
+    EXPECT_NEAR((second + (second - first) / 15) / foppl_point(nu).alpha, 1, 2e-6) << nu;
+  }
 }
 
 TEST(FopplDisc, TakesPretensionAsTheEnergyArgumentSays) {

@@ -1,5 +1,4 @@
-// The Mylar balloon: two discs of an inextensible sheet that wrinkles freely, joined at their rims and
-// inflated.
+// The Mylar balloon: two discs of inextensible sheet that wrinkles freely, joined at the rims and inflated.
 //
 // Only the meridian bears force: N cos φ = 0 at the equator and p r² = R0² p sin φ, sin φ = (r/R0)². Its
 // length is the flat radius a, hence with t = r/R0:

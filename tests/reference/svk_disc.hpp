@@ -1,7 +1,7 @@
 // Clamped disc under a dead load, uniform per material area on a central disc, at finite strain and slope:
 // V = F/2π min(1, R²/c²), H' = T2 (see svk_sheet.hpp), r = R at the rim. The membrane force at the centre is
-// shot for, in x = ln R. c → 0 is the point load: the depth then differs from the limit by 1.7 (c/a)^(2/3) of
-// itself at most.
+// shot for, in x = ln R. c → 0 is the point load: at given depth the force exceeds its limit by some
+// 1.7 (c/a)^(2/3) of itself.
 //
 // Gil, Adhikari, Scarpa, Bonet, J. Phys.: Condens. Matter 22 (2010) 145302, state the law; equilibrium of
 // axisymmetric membranes: Green & Adkins, Large Elastic Deformations, ch. 4.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
 #include "reference/shooting.hpp"
 
@@ -37,9 +38,12 @@ std::optional<State> shoot(const SvkSheet& sheet, double a, double pressure, dou
 
 // From the largest force down to the first change of sign: shots with less have folded.
 double first_root_from_above(const std::function<double(double)>& f, double high) {
-  double low = high / 1.1;
-  for (; f(low) > 0; low /= 1.1) high = low;
-  return root(f, low, high);
+  const double least = 1e-12 * high;
+  for (double low = high / 1.1; low > least; low /= 1.1) {
+    if (f(low) <= 0) return root(f, low, high);
+    high = low;
+  }
+  throw std::runtime_error("no equilibrium under this pressure");
 }
 
 }  // namespace

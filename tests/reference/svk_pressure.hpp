@@ -6,8 +6,9 @@
 //   dt/dx = T2 − t − p R λ2 λ1 sin φ.
 // Rim: clamped (r = a), or free to move in its plane: H = 0, where the sheet is vertical. Two such sheets
 // joined at the rim are the Mylar balloon, whose meridian wrinkles follow (mylar_balloon.hpp). The membrane
-// force at the axis is shot for. Green & Adkins, Large Elastic Deformations, ch. 4. Accuracy: nine digits
-// taut; with wrinkles, whose border no step hits, five, and seven with four times the steps (pressure_test).
+// force at the axis is shot for. Green & Adkins, Large Elastic Deformations, ch. 4.
+// Accuracy: nine digits taut; with wrinkles, whose border no step hits, five, and seven with four times the
+// steps (pressure_test).
 #pragma once
 
 #include "reference/svk_sheet.hpp"

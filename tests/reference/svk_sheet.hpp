@@ -6,8 +6,7 @@
 // forces T_i = λ_i S_i per undeformed length):
 //   r' = λ1 cos φ,  z' = −λ1 sin φ,  H = R T1 cos φ,  V = R T1 sin φ,  H' = T2 (+ load),  V' = load.
 // Given (r, H) and the enclosed load V, the meridional tension T1 = √(H² + V²)/R fixes λ1, so that two
-// equations of first order remain. In x = ln R, with q = λ2 − 1 and t = H/R, which are constant near the
-// axis:
+// equations of first order remain. In x = ln R, with q = λ2 − 1 and t = H/R (constant near the axis):
 //   dq/dx = λ1 cos φ − λ2,  dt/dx = T2 − t (+ load).
 // Any consistent units; forces per length are times the thickness.
 #pragma once
@@ -18,8 +17,7 @@ struct SvkSheet {
   double modulus;         ///< E·h > 0
   double nu;              ///< in (−1, 1)
   double pretension = 0;  ///< N0 = σ0·h ≥ 0
-  bool wrinkles =
-      false;  ///< tension field: no hoop compression (the meridian is in tension in all cases here)
+  bool wrinkles = false;  ///< tension field: no hoop compression (the meridian is always in tension here)
 };
 
 struct SvkPoint {

@@ -89,8 +89,8 @@ SvkSphereState svk_sphere_at_depth(const SvkSphere& sphere, double depth, int st
   };
   // From below, in small steps: no equilibrium lies on a contact much too wide.
   double b = std::min(std::sqrt(sphere.tip_radius * depth), sphere.tip_radius) / 4;
-  while (depth_error(b) > 0) b /= 2;
-  while (depth_error(1.1 * b) < 0) b *= 1.1;
+  while (b > 1e-9 * sphere.radius && depth_error(b) > 0) b /= 2;
+  while (b < sphere.radius && depth_error(1.1 * b) < 0) b *= 1.1;
   return svk_sphere_at_contact(sphere, root(depth_error, b, 1.1 * b), steps);
 }
 

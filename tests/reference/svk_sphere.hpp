@@ -1,15 +1,13 @@
-// Rigid frictionless sphere of radius Rt pressed into a clamped, pretensioned disc, at finite strain and
-// slope.
+// Rigid frictionless sphere of radius Rt pressed into a clamped, pretensioned disc, at finite strain.
 //
 // Where sheet and sphere touch, R ≤ b, the sheet has the sphere's shape, r = Rt sin φ, hence dφ/dR = λ1/Rt,
-// and without friction the balance along the meridian is (R T1)' = T2 cos φ. Outside, V = F/2π stays and H' =
-// T2 (svk_sheet.hpp). The slope is continuous at R = b. In x = ln R with y = φ/R and T1:
+// and without friction the balance along the meridian is (R T1)' = T2 cos φ. Outside, V = F/2π stays and
+// H' = T2 (svk_sheet.hpp). The slope is continuous at R = b. In x = ln R with y = φ/R and T1:
 //   dy/dx = λ1/Rt − y,  dT1/dx = T2 cos φ − T1.
-// b is given, the membrane force at the axis shot for, F follows. Pressed weakly on a tight sheet it becomes
-//   F = 2π N0 b²/Rt,  delta = (b²/Rt)(ln(a/b) + ½)
-// (the catenoid's small slope N0 w' r = F/2π outside, a paraboloid inside; sphere_pretension_limit).
-// Equilibrium: Green & Adkins, Large Elastic Deformations, ch. 4; contact: Steigmann, Proc. R. Soc. A 461
-// (2005). Accuracy: nine digits (the step halved; F = dU/ddelta: svk_sphere_test).
+// b is given, the membrane force at the axis shot for, F follows. The limit of a weak push on a tight sheet
+// is in shallow_tip.hpp. Equilibrium: Green & Adkins, Large Elastic Deformations, ch. 4.
+//
+// Accuracy: nine digits (the step halved; F = dU/ddelta: svk_sphere_test).
 #pragma once
 
 #include "reference/svk_sheet.hpp"
