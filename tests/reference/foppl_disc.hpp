@@ -23,6 +23,6 @@ struct FopplDepth {
 };
 
 /// Depth under the total force F / (E·h a) > 0. `steps` for each of the inner and the outer part.
-FopplDepth foppl_disc(const FopplDisc& disc, double force, int steps = 200);
+FopplDepth foppl_disc(const FopplDisc& disc, double force, int steps = 100);
 
 }  // namespace reference

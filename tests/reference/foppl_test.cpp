@@ -32,7 +32,7 @@ TEST(FopplPoint, AgreesWithPublishedFactors) {
 // Komaragiri, Begley, Simmonds, J. Appl. Mech. 72 (2005) 203, fit 1/(1.05 − 0.15 nu − 0.16 nu²)³ to within 1
 // %.
 TEST(FopplPoint, IsWithinOnePercentOfTheUsualFit) {
-  for (double nu = 0; nu < 0.45; nu += 0.05) {
+  for (const double nu : {0.0, 0.1, 0.2, 0.3, 0.4, 0.45}) {
     const double q = 1 / (1.05 - 0.15 * nu - 0.16 * nu * nu);
     EXPECT_NEAR(foppl_point(nu).alpha / (q * q * q), 1, 0.011) << nu;
   }
@@ -53,7 +53,7 @@ TEST(FopplPoint, Converges) {
   }
 }
 
-double alpha(const FopplDisc& disc, int steps = 200) {
+double alpha(const FopplDisc& disc, int steps = 100) {
   return std::pow(foppl_disc(disc, 1, steps).centre, -3);
 }
 
@@ -103,8 +103,8 @@ TEST(FopplDisc, DepthsGrowWithTheCubeRootOfTheForce) {
 
 TEST(FopplDisc, Converges) {
   testing::expect_converges([](int steps) { return alpha({0.19, 0.05}, steps); }, 16, 6, 1e-12);
-  testing::expect_settled([](int steps) { return alpha({0.19, 0.05}, steps); }, 200, 1e-11);
-  testing::expect_settled([](int steps) { return alpha({0.19, 1e-3}, steps); }, 200, 1e-9);
+  testing::expect_settled([](int steps) { return alpha({0.19, 0.05}, steps); }, 100, 1e-11);
+  testing::expect_settled([](int steps) { return alpha({0.19, 1e-3}, steps); }, 100, 1e-9);
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ double positive_root(const std::function<double(double)>& f, double guess) {
   const auto in_logarithm = [&f](double t) { return f(std::exp(t)); };
   const double centre = std::log(guess);
   const double sign = in_logarithm(centre);
-  for (double reach = std::log(2); reach < 100; reach += std::log(2)) {
+  for (int doublings = 1; doublings <= 150; ++doublings) {
+    const double reach = doublings * std::log(2);
     for (const double side : {-reach, reach}) {
       const double inner = centre + side - std::copysign(std::log(2), side);
       if (in_logarithm(centre + side) * sign <= 0)

@@ -27,9 +27,9 @@ struct SvkDiscState {
 };
 
 /// State under the force F > 0. `steps` for each of the inner and the outer part.
-SvkDiscState svk_disc_at_force(const SvkDisc& disc, double force, int steps = 64);
+SvkDiscState svk_disc_at_force(const SvkDisc& disc, double force, int steps = 48);
 
 /// State at the centre depth > 0.
-SvkDiscState svk_disc_at_depth(const SvkDisc& disc, double centre_depth, int steps = 64);
+SvkDiscState svk_disc_at_depth(const SvkDisc& disc, double centre_depth, int steps = 48);
 
 }  // namespace reference

@@ -96,7 +96,7 @@ TEST(SvkDisc, DoesAsMuchWorkAsItStores) {
 TEST(SvkDisc, IsTautForPositiveNuSoThatWrinklesChangeNothing) {
   SvkDisc relaxed = case2;
   relaxed.sheet.wrinkles = true;
-  EXPECT_DOUBLE_EQ(svk_disc_at_force(relaxed, 20).centre_depth, svk_disc_at_force(case2, 20).centre_depth);
+  EXPECT_NEAR(svk_disc_at_force(relaxed, 20).centre_depth, svk_disc_at_force(case2, 20).centre_depth, 1e-11);
   relaxed.sheet.nu = -0.158;  // compressed along the hoop near the rim
   SvkDisc unrelaxed = relaxed;
   unrelaxed.sheet.wrinkles = false;
@@ -107,7 +107,7 @@ TEST(SvkDisc, IsTautForPositiveNuSoThatWrinklesChangeNothing) {
 TEST(SvkDisc, Converges) {
   const auto depth = [](int steps) { return svk_disc_at_force(of_record, 20, steps).centre_depth; };
   testing::expect_converges(depth, 8, 6, 1e-12);
-  testing::expect_settled(depth, 64, 1e-9);
+  testing::expect_settled(depth, 48, 1e-10);
 }
 
 }  // namespace

@@ -39,11 +39,13 @@ std::optional<State> shoot(const SvkSheet& sheet, double a, double pressure, dou
 // From the largest force down to the first change of sign: shots with less have folded.
 double first_root_from_above(const std::function<double(double)>& f, double high) {
   const double least = 1e-12 * high;
-  for (double low = high / 1.1; low > least; low /= 1.1) {
-    if (f(low) <= 0) return root(f, low, high);
+  double low = high / 1.1;
+  while (f(low) > 0) {
+    if (low < least) throw std::runtime_error("no equilibrium under this pressure");
     high = low;
+    low /= 1.1;
   }
-  throw std::runtime_error("no equilibrium under this pressure");
+  return root(f, low, high);
 }
 
 }  // namespace

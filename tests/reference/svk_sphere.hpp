@@ -30,9 +30,9 @@ struct SvkSphereState {
 };
 
 /// State with the contact radius b, 0 < b < a, reached before the sheet is vertical there.
-SvkSphereState svk_sphere_at_contact(const SvkSphere& sphere, double contact_radius, int steps = 64);
+SvkSphereState svk_sphere_at_contact(const SvkSphere& sphere, double contact_radius, int steps = 48);
 
 /// State at the depth > 0.
-SvkSphereState svk_sphere_at_depth(const SvkSphere& sphere, double depth, int steps = 64);
+SvkSphereState svk_sphere_at_depth(const SvkSphere& sphere, double depth, int steps = 48);
 
 }  // namespace reference

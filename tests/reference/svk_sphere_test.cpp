@@ -65,7 +65,7 @@ TEST(SvkSphere, IsStifferTheLargerItIs) {
 TEST(SvkSphere, Converges) {
   const auto depth = [](int steps) { return svk_sphere_at_contact({graphene, 500, 16.5}, 7, steps).depth; };
   testing::expect_converges(depth, 6, 6, 1e-12);
-  testing::expect_settled(depth, 64, 1e-10);
+  testing::expect_settled(depth, 48, 1e-10);
 }
 
 }  // namespace
