@@ -1,6 +1,6 @@
 #include "compare/outputs/figure_commands.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -229,16 +229,16 @@ std::string figure_commands(const Result& result) {
       gnuplot_quoted(title_of(result)), depth > 0 ? 1.04 * depth : 1, force > 0 ? 1.05 * force : 1,
       legend_place(all, depth, force));
   const std::vector<ArtefactZone> zones = artefact_zones(result);
-  text += zone_commands(zones) + "plot ";
+  std::vector<std::string> clauses;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{}$series{} using 1:2 with {} title {}", i ? ", \\\n     " : "",
-                   i, all[i].style, gnuplot_quoted(all[i].title));
+    clauses.push_back(fmt::format("$series{} using 1:2 with {} title {}", i, all[i].style, gnuplot_quoted(all[i].title)));
   }
   for (const ArtefactZone& zone : zones) {  // the bands' entries in the legend
-    fmt::format_to(std::back_inserter(text), ", \\\n     NaN with boxes fs solid 0.25 lc rgb '{}' title {}",
-                   zone.colour, gnuplot_quoted(fmt::format("artefact zone, {}", zone.load)));
+    clauses.push_back(fmt::format("NaN with boxes fs solid 0.25 lc rgb '{}' title {}", zone.colour,
+                                  gnuplot_quoted(fmt::format("artefact zone, {}", zone.load))));
   }
-  if (all.empty()) text += "NaN notitle";
+  if (clauses.empty()) clauses.push_back("NaN notitle");
+  text += zone_commands(zones) + fmt::format("plot {}", fmt::join(clauses, ", \\\n     "));
   return data_blocks(all) + text + "\n";
 }
 

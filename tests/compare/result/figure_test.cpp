@@ -95,6 +95,16 @@ TEST(Figure, DrawsEveryKindOfResult) {
   }
 }
 
+TEST(Figure, DrawsAZoneWithoutASinglePointOutsideIt) {
+  Result torn;
+  torn.runs = {sample::atomistic_run("point", 1, 0)};
+  torn.runs[0].artefact.assign(torn.runs[0].depth_A.size(), true);
+  torn.runs[0].converged.assign(torn.runs[0].depth_A.size(), false);
+  const TemporaryFolder folder;
+  EXPECT_NO_THROW(write_figure(torn, folder.path()));
+  EXPECT_EQ(folder.entries(), 2u);
+}
+
 TEST(Figure, MarksTheArtefactZoneAndOnlyThere) {
   const std::string with = figure_commands(sample::full());
   EXPECT_NE(with.find("rectangle from 22,graph 0"), std::string::npos);
