@@ -19,6 +19,10 @@ using Eigen::VectorXd;
 /// Beyond this length no bundled carbon potential binds any more: AIREBO and REBO end at 2.0 Å.
 constexpr double ruptured_bond_A = 2.0;
 
+/// A search that has pulled two neighbours this far apart, or an atom this many radii down, will not bring them back: no
+/// first guess starts there, and what follows is the flight of fragments out of the box.
+constexpr double torn_bond_A = 5.0, torn_depth_of_radius = 2.0;
+
 /// The sheet stiffens with its tension, ∝ depth²: a factor serves until the depth has grown by this ratio …
 constexpr double depth_ratio_per_factor = 1.3;
 
@@ -46,7 +50,7 @@ auto timed(double& total_s, Call&& call) {
 
 Box box_around(const Sheet& sheet) {
   const double margin = 5, across = sheet.positions.cwiseAbs().maxCoeff() + margin;
-  return {.low = {-across, -across, -sheet.radius_A - margin},
+  return {.low = {-across, -across, -torn_depth_of_radius * sheet.radius_A - margin},
           .high = {across, across, sheet.radius_A + margin}};
 }
 
@@ -123,7 +127,8 @@ class Path {
   }
 
   void predict(int level) {
-    const double start = force_control() ? depth_of_force(problem_.levels[level]) : problem_.levels[level];
+    const double start = force_control() ? std::min(depth_of_force(problem_.levels[level]), sheet_.radius_A)
+                                         : problem_.levels[level];
     const VectorXd u = states_.empty() ? first_guess(sheet_, start) : extrapolate(states_, parameter(level));
     positions_.head(free_dofs()) = sheet_.positions.head(free_dofs()) + u;
     if (factor_is_tired_ || parameter(level) > depth_ratio_per_factor * factor_parameter_)
@@ -158,6 +163,11 @@ class Path {
         .constraint = force_control() ? VectorXd() : pattern_.direction()};
   }
 
+  bool torn() const {
+    const double lowest = positions_.reshaped(3, sheet_.atoms()).row(2).minCoeff();
+    return longest_bond(sheet_, positions_) > torn_bond_A || lowest < -torn_depth_of_radius * sheet_.radius_A;
+  }
+
   /// Minimises; a level that drags on gets fresh factors at its current positions.
   MinimiserReport minimise_level(int level) {
     const Minimisation problem = minimisation(level);
@@ -169,10 +179,11 @@ class Path {
       VectorXd x = positions_.head(free_dofs());
       result = minimise(problem, options, x, [&](int done, double max_force) {
         if (callbacks_.on_progress) callbacks_.on_progress({level, evaluations + done, max_force});
+        return !torn();
       });
       evaluations += result.evaluations;
       positions_.head(free_dofs()) = x;
-      if (result.converged || evaluations >= problem_.max_evaluations) break;
+      if (result.converged || evaluations >= problem_.max_evaluations || torn()) break;
       factorise(positions_);
     }
     result.evaluations = evaluations;
@@ -215,15 +226,17 @@ class Path {
     return std::abs((free_z - step.force_eV_per_A) / step.force_eV_per_A);
   }
 
+  /// Rupture and artefact come first: a search that fails among them is no failure of the path.
   void end_reached(const Step& step) {
-    if (!step.converged) {
-      report_.ended = Ended::not_converged;
-    } else if (step.longest_bond_A >= ruptured_bond_A) {
+    if (step.longest_bond_A >= ruptured_bond_A) {
       report_.ended = Ended::rupture;
       report_.reason = "a bond of the sheet has broken";
-    } else if (step.longest_bond_A >= problem_.potential.artefact_bond_A && !problem_.past_artefact) {
+    } else if (step.longest_bond_A >= problem_.potential.artefact_bond_A &&
+               !(step.converged && problem_.past_artefact)) {
       report_.ended = Ended::artefact;
       report_.reason = "the longest bond has reached the potential's cut-off switch";
+    } else if (!step.converged) {
+      report_.ended = Ended::not_converged;
     }
   }
 

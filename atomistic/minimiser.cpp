@@ -105,8 +105,9 @@ MinimiserReport minimise(const Minimisation& problem, const MinimiserOptions& op
 
   for (;;) {
     report.max_force = largest_atom_norm(preconditioner.without_load(now.gradient));
-    if (on_iteration) on_iteration(report.evaluations, report.max_force);
+    const bool go_on = !on_iteration || on_iteration(report.evaluations, report.max_force);
     if (report.max_force <= options.force_tolerance) return finish(true, "converged");
+    if (!go_on) return finish(false, "given up by the caller");
 
     VectorXd step = descent_direction(now.gradient, pairs, preconditioner);
     double slope = step.dot(now.gradient);

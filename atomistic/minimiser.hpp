@@ -38,8 +38,8 @@ struct MinimiserReport {
   double energy_residual = 0;  ///< gᵀP⁻¹g of the projected gradient, eV
 };
 
-/// Called once per iteration with the evaluations so far and the largest force; for progress.
-using OnIteration = std::function<void(int, double)>;
+/// Called once per iteration with the evaluations so far and the largest force; false gives up.
+using OnIteration = std::function<bool(int, double)>;
 
 /// Moves x to a minimum. Does not throw for want of convergence.
 MinimiserReport minimise(const Minimisation& problem, const MinimiserOptions& options, Eigen::VectorXd& x,

@@ -175,6 +175,31 @@ TEST(Indentation, EndsAtTheArtefactBondAndKeepsThatDepth) {
   EXPECT_GT(follow(p).steps.size(), path.steps.size());
 }
 
+/// Torn by whatever load: an end of the path, not a failure of the solver or of LAMMPS, and found without chasing the
+/// fragments.
+TEST(Indentation, TearingTheSheetIsRupture) {
+  Problem p = problem_of("tersoff", 15, DiscLoad{5}, {2, 4, 6, 8, 10, 12, 14});
+  p.past_artefact = true;
+  Problem pulled_off = problem_of("tersoff", 15, PointLoad{}, {1000});
+  pulled_off.control = Control::force;
+  for (const Problem& problem : {p, pulled_off}) {
+    const Path path = follow(problem);
+    EXPECT_EQ(path.report.ended, Ended::rupture) << path.report.reason;
+    EXPECT_GE(path.steps.back().longest_bond_A, 2.0);
+    EXPECT_LT(path.steps.back().evaluations, 200);
+  }
+}
+
+TEST(Indentation, ASearchThatFailsInTheArtefactZoneEndsThePathThere) {
+  Problem p = problem_of("rebo", 20, PointLoad{}, {12});
+  p.past_artefact = true;
+  p.max_evaluations = 2;  // the first guess of one deep step has bonds beyond the artefact length
+  const Path path = follow(p);
+  EXPECT_FALSE(path.steps.back().converged);
+  EXPECT_GE(path.steps.back().longest_bond_A, 1.70);
+  EXPECT_NE(path.report.ended, Ended::not_converged);
+}
+
 TEST(Indentation, NotConvergingIsReportedWithThePathSoFar) {
   Problem p = problem_of("tersoff", 20, DiscLoad{6}, {1, 2});
   p.max_evaluations = 4;

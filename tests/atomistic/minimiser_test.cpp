@@ -101,6 +101,16 @@ TEST(Minimiser, LimitsTheStepOfEveryAtom) {
   EXPECT_LE(longest, 0.05 + 1e-12);
 }
 
+TEST(Minimiser, GivesUpWhenTheCallerSaysSo) {
+  const QuarticWell well(30);
+  VectorXd x = VectorXd::Zero(30);
+  const MinimiserReport report =
+      minimise(preconditioned(well), {.force_tolerance = 1e-12}, x, [](int evaluations, double) { return evaluations < 4; });
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.evaluations, 4);
+  EXPECT_FALSE(report.reason.empty());
+}
+
 TEST(Minimiser, ReportsThatItStoppedForWantOfEvaluations) {
   const QuarticWell well(30);
   VectorXd x = VectorXd::Zero(30);
