@@ -26,11 +26,11 @@ double seconds() {
   return std::chrono::duration<double>(clock::now().time_since_epoch()).count();
 }
 
-void* open_lammps(const std::string& log_file) {
+void* open_lammps(const std::string& log_file, MPI_Comm communicator) {
   std::vector<std::string> words = {"validate-atoms", "-log", log_file, "-screen", "none", "-nocite"};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
-  return lammps_open(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD, nullptr);
+  return lammps_open(static_cast<int>(arguments.size()), arguments.data(), communicator, nullptr);
 }
 
 std::string with_file(std::string line, const std::string& file) {
@@ -58,7 +58,7 @@ void MpiSession::abort(int code) {
 }
 
 int lammps_release() {
-  void* lammps = open_lammps("none");
+  void* lammps = open_lammps("none", MPI_COMM_WORLD);
   const int version = lammps ? lammps_version(lammps) : 0;
   if (lammps) lammps_close(lammps);
   return version;
@@ -66,6 +66,7 @@ int lammps_release() {
 
 struct ForceField::Instance {
   void* lammps = nullptr;
+  MPI_Comm communicator = MPI_COMM_WORLD;
   int rank = 0;
   int atoms = 0;
   Box box;
@@ -87,9 +88,10 @@ struct ForceField::Instance {
   }
 
   void open(const std::string& log_file) {
-    lammps = open_lammps(log_file);
+    communicator = box.periodic ? MPI_COMM_SELF : MPI_COMM_WORLD;
+    lammps = open_lammps(log_file, communicator);
     if (!lammps) throw std::runtime_error("LAMMPS did not start; see " + log_file);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_rank(communicator, &rank);
   }
 
   void create(const Eigen::VectorXd& positions) {
@@ -119,14 +121,14 @@ struct ForceField::Instance {
     for (int i = 0; i < own; ++i) local.segment<3>(3 * (id[i] - 1)) = Eigen::Map<Eigen::Vector3d>{f[i]};
     forces.resize(rank == 0 ? local.size() : 0);
     MPI_Reduce(local.data(), forces.data(), static_cast<int>(local.size()), MPI_DOUBLE, MPI_SUM, 0,
-               MPI_COMM_WORLD);
+               communicator);
   }
 
   /// The part that all ranks do together.
   double compute(Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
     const double start = seconds();
     positions.resize(3 * atoms);
-    MPI_Bcast(positions.data(), static_cast<int>(positions.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    MPI_Bcast(positions.data(), static_cast<int>(positions.size()), MPI_DOUBLE, 0, communicator);
     put(positions);
     command(fresh ? "run 0 post no" : "run 1 pre no post no");
     collect_forces(forces);
@@ -170,7 +172,7 @@ ForceField::~ForceField() {
   if (!instance_->lammps) return;
   if (instance_->rank == 0) {
     Order order = Order::stop;
-    MPI_Bcast(&order, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    MPI_Bcast(&order, 1, MPI_INT, 0, instance_->communicator);
   }
   lammps_close(instance_->lammps);
 }
@@ -179,7 +181,7 @@ double ForceField::evaluate(const Eigen::VectorXd& positions, Eigen::VectorXd& f
   if (!positions.allFinite()) throw std::runtime_error("positions are not finite; LAMMPS was not asked");
   fresh = std::exchange(instance_->cell_changed, false) || fresh;
   Order order = fresh ? Order::evaluate_fresh : Order::evaluate;
-  MPI_Bcast(&order, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  MPI_Bcast(&order, 1, MPI_INT, 0, instance_->communicator);
   Eigen::VectorXd sent = positions;
   const double energy = instance_->compute(sent, forces, fresh);
   if (!std::isfinite(energy) || !forces.allFinite())
@@ -191,7 +193,7 @@ void ForceField::serve() {
   Eigen::VectorXd positions, forces;
   for (;;) {
     Order order = Order::stop;
-    MPI_Bcast(&order, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    MPI_Bcast(&order, 1, MPI_INT, 0, instance_->communicator);
     if (order == Order::stop) return;
     instance_->compute(positions, forces, order == Order::evaluate_fresh);
   }

@@ -40,9 +40,9 @@ class MpiSession {
 /// LAMMPS's release date as a number, 20210929. All ranks call it.
 int lammps_release();
 
-/// One LAMMPS instance with a fixed set of carbon atoms. All ranks construct it; rank 0 then calls
-/// evaluate(), the others serve() until rank 0's object is destroyed. Positions and forces are 3N vectors in
-/// creation order, valid on rank 0.
+/// One LAMMPS instance with a fixed set of carbon atoms. All ranks construct that of a sheet; rank 0 then calls
+/// evaluate(), the others serve() until rank 0's object is destroyed. A periodic cell is small: a rank that
+/// constructs one has it to itself. Positions and forces are 3N vectors in creation order, valid on rank 0.
 class ForceField {
  public:
   ForceField(const Potential& potential, const Box& box, const Eigen::VectorXd& positions,
@@ -55,7 +55,7 @@ class ForceField {
   /// depends on the positions alone.
   double evaluate(const Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh = false);
 
-  /// Changes a periodic cell; the next evaluation is fresh. One rank only.
+  /// Changes a periodic cell; the next evaluation is fresh.
   void set_box(const Box& box);
 
   /// In-plane virial stress times the box height, N_ij (eV/Å²; tension positive), of the last evaluation.

@@ -7,7 +7,7 @@
 
 #include <cstdio>
 #include <iostream>
-#include <stdexcept>
+#include <exception>
 #include <string>
 
 #include "atomistic/card.hpp"
@@ -31,9 +31,9 @@ struct Worker {
   const MpiSession& session;
   const std::string& log_file;
 
+  /// Its cells are small: rank 0 computes it, whatever number a launcher has started.
   void operator()(const CardJob& job) const {
-    if (session.rank() != 0 || session.ranks() != 1)
-      throw std::runtime_error("a card is computed by one rank");
+    if (session.rank() != 0) return;
     tell(CardEvent{compute_card(job.potential, log_file)});
     tell(EndEvent{});
   }

@@ -291,11 +291,18 @@ TEST(Failure, TwoRunsCannotShareAFolder) {
   first.wait();
 }
 
+TEST(Launcher, MayStartAnyNumberOfRanks) {
+  const WorkFolder folder;
+  const Outcome outcome = run_validate(small_run({"--loads", "disc", "--launcher", "mpiexec -n 2", "--out", "run"}), folder.path());
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
+  EXPECT_GE(run_of(document(folder.path() / "run/summary.json"), "atomistic", "disc")["force_eV_per_A"].size(), 4u);
+}
+
 TEST(Ranks, GiveTheSameForces) {
   const WorkFolder folder;
   json runs[3];
   for (int ranks : {1, 2, 3}) {
-    const std::string out = "r" + std::to_string(ranks);
+    const std::string out = std::to_string(ranks) + "-ranks";
     run_validate(small_run({"--loads", "disc", "--models", "atomistic", "--ranks", std::to_string(ranks), "--out", out}),
                  folder.path());
     runs[ranks - 1] = run_of(document(folder.path() / out / "summary.json"), "atomistic", "disc")["force_eV_per_A"];
