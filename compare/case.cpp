@@ -1,6 +1,7 @@
 #include "compare/case.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "compare/errors.hpp"
@@ -19,6 +20,11 @@ constexpr double largest_atomistic_radius_A = 3000;   // 10.8 million atoms
 constexpr double memory_warning_radius_A = 500;       // about 3 GiB for the preconditioner's factor
 constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
 
+// Bounds of any sheet: beyond them a unit was mistaken, and the mesh or the solver would say so less clearly.
+constexpr double largest_tip_of_radius = 0.95, smallest_tip_of_radius = 1e-6;
+constexpr double smallest_radius_A = 1e-3, largest_radius_A = 1e14;            // up to 10 km
+constexpr double smallest_Eh_eV_per_A2 = 1e-12, largest_Eh_eV_per_A2 = 1e12;  // 16 pN/m, 16 TN/m
+
 bool has_load(const Case& c, std::string_view load) {
   return std::find(c.loads.begin(), c.loads.end(), load) != c.loads.end();
 }
@@ -30,9 +36,15 @@ void check_loads(const Case& c, const Origins& origins) {
       throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), *load);
     }
   }
-  if (has_load(c, "disc") && !(c.tip_radius_A < c.radius_A)) {
-    throw bad_input("{}: a tip of {} Å is wider than the sheet; it must be below the radius, {} Å",
-                    label_of(origins, "tip-radius"), c.tip_radius_A, c.radius_A);
+  if (!has_load(c, "disc")) return;
+  if (!(c.tip_radius_A <= largest_tip_of_radius * c.radius_A)) {
+    throw bad_input("{}: a tip of {} Å is wider than the sheet can take; at most {} of its radius of {} Å: {:.6g} Å",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, largest_tip_of_radius, c.radius_A,
+                    largest_tip_of_radius * c.radius_A);
+  }
+  if (!(c.tip_radius_A >= smallest_tip_of_radius * c.radius_A)) {
+    throw bad_input("{}: a tip of {} Å is too small for a radius of {} Å; at least {} of it, or the point load",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, c.radius_A, smallest_tip_of_radius);
   }
 }
 
@@ -55,6 +67,30 @@ void check_given_constants(const Case& c, const Origins& origins) {
   }
 }
 
+/// What a membrane of given constants can be and bear, in terms of its own modulus.
+void check_membrane(const Case& c, const Origins& origins) {
+  const double Eh = *c.E_eV_per_A3 * *c.thickness_A;
+  if (!(c.radius_A >= smallest_radius_A && c.radius_A <= largest_radius_A)) {
+    throw bad_input("{}: {:g} Å is no radius of a membrane; allowed: {:g} Å to {:g} Å", label_of(origins, "radius"),
+                    c.radius_A, smallest_radius_A, largest_radius_A);
+  }
+  if (!(Eh >= smallest_Eh_eV_per_A2 && Eh <= largest_Eh_eV_per_A2)) {
+    throw bad_input("{}, {}: E times thickness is {} eV/Å²; allowed: {:g} to {:g}", label_of(origins, "E"),
+                    label_of(origins, "thickness"), Eh, smallest_Eh_eV_per_A2, largest_Eh_eV_per_A2);
+  }
+  if (!(c.pretension_eV_per_A2 <= Eh)) {
+    throw bad_input("{}: {} eV/Å² is more than E times thickness, {:.6g} eV/Å²", label_of(origins, "pretension"),
+                    c.pretension_eV_per_A2, Eh);
+  }
+  for (const double force : c.forces_eV_per_A) {
+    if (!(force <= Eh * c.radius_A)) {
+      throw bad_input("{}: {} eV/Å would press the sheet deeper than its radius; at most E times thickness times radius, "
+                      "{:.6g} eV/Å",
+                      label_of(origins, "forces"), force, Eh * c.radius_A);
+    }
+  }
+}
+
 void check_lattice(const Case& c, const Origins& origins) {
   if (!(c.radius_A >= smallest_atomistic_radius_A)) {
     throw bad_input("{}: {} Å is too small for a sheet of atoms; at least three lattice constants, {:.2f} Å",
@@ -73,6 +109,13 @@ void check_lattice(const Case& c, const Origins& origins) {
   if (!(c.pretension_eV_per_A2 <= largest_pretension_eV_per_A2)) {
     throw bad_input("{}: {} eV/Å² would break the sheet before the test; at most {} eV/Å² (42 N/m)",
                     label_of(origins, "pretension"), c.pretension_eV_per_A2, largest_pretension_eV_per_A2);
+  }
+  const double largest_force = 2 * std::numbers::pi * c.radius_A * largest_pretension_eV_per_A2;
+  for (const double force : c.forces_eV_per_A) {
+    if (!(force <= largest_force)) {
+      throw bad_input("{}: {} eV/Å would tear the sheet off its rim; at most 42 N/m around it, {:.6g} eV/Å",
+                      label_of(origins, "forces"), force, largest_force);
+    }
   }
 }
 
@@ -149,7 +192,11 @@ std::vector<double> depth_levels(const Case& c) {
 
 std::vector<std::string> check(const Case& c, const Origins& origins) {
   check_given_constants(c, origins);
-  if (!has_given_constants(c)) check_lattice(c, origins);
+  if (has_given_constants(c)) {
+    check_membrane(c, origins);
+  } else {
+    check_lattice(c, origins);
+  }
   check_loads(c, origins);
   check_levels(c, origins);
   check_window(c, origins);

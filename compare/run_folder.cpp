@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
@@ -87,9 +88,12 @@ void refuse_changed_case(const fs::path& saved, const Case& c) {
 }  // namespace
 
 RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const Case& c) {
-  path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume));
+  path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume)).lexically_normal();
+  if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
   refuse_contents(path_, options);
   std::error_code error;
+  for (fs::path above = path_; !fs::exists(above, error) && above.has_relative_path(); above = above.parent_path())
+    first_new_ = above;
   fs::create_directories(path_, error);
   if (error)
     throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
@@ -122,6 +126,16 @@ void RunFolder::start(const Case& c) {
   if (error)
     throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", path_.string(), error.message()));
   write_file(work() / "case.json", case_document(c).dump(1) + "\n");
+  started_here_ = true;
+}
+
+void RunFolder::remove_if_unused() {
+  std::error_code ignored;
+  const auto entries = [](const fs::path& folder) { return std::distance(fs::directory_iterator(folder), {}); };
+  if (!started_here_ || entries(work()) > 1 || entries(path_) > 1) return;
+  fs::remove_all(work(), ignored);
+  if (first_new_.empty()) return;
+  for (fs::path folder = path_; fs::remove(folder, ignored) && folder != first_new_;) folder = folder.parent_path();
 }
 
 void RunFolder::finish() {

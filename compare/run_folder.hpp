@@ -25,11 +25,17 @@ class RunFolder {
   std::filesystem::path work() const { return path_ / "work"; }
   void finish();
 
+  /// Takes away what the constructor made, folders above included, as long as nothing else is in it: a run that failed
+  /// before it had computed anything leaves no trace.
+  void remove_if_unused();
+
  private:
   void lock();
   void start(const Case& c);
 
   std::filesystem::path path_;
+  std::filesystem::path first_new_;  ///< the uppermost folder that did not exist; empty: all did
+  bool started_here_ = false;        ///< not resumed
   int lock_ = -1;  ///< inherited by the atomistic program, so that its steps are safe from a second run too
 };
 

@@ -3,10 +3,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <sstream>
 
 #include "atomistic/protocol/math_threads.hpp"
+#include "compare/child_process.hpp"
 #include "compare/errors.hpp"
 #include "compare/interrupt.hpp"
 #include "compare/outputs/atoms_files.hpp"
@@ -31,6 +33,9 @@ AtomsLaunch launch_of(const RunOptions& options, bool needs_atoms) {
                      .launcher = words(options.launcher),
                      .cores = available_cores()};
   if (!launch.launcher.empty()) launch.cores = 1;  // it owns the machine: one job at a time
+  if (needs_atoms && !launch.launcher.empty() && !find_program(launch.launcher.front()))
+    throw Error(ExitCode::atomistic_failed,
+                fmt::format("--launcher: '{}' cannot be started: no such program in PATH", launch.launcher.front()));
   if (needs_atoms && launch.launcher.empty() && !has_mpiexec()) {
     if (options.ranks > 1)
       throw Error(ExitCode::atomistic_failed,
@@ -62,8 +67,15 @@ void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& f
   if (outcome.sheet)
     for (const std::string& load : outcome.result.resolved.loads)
       write_deepest_sheet(outcome.result.resolved.potential, load, *outcome.sheet, folder.work(), folder.path());
+  const bool table_on_stdout = !options.json || *options.json != "-";
+  if (table_on_stdout && !outcome.result.runs.empty()) print_table(outcome.result, stdout);
   if (options.json) write_json(outcome.result, options.json->string());
-  if (!options.json || *options.json != "-") print_table(outcome.result, stdout);
+}
+
+Error interrupted_in(const RunFolder& folder) {
+  return Error(ExitCode::interrupted,
+               fmt::format("interrupted; the finished depths are kept: continue with --resume --out '{}'",
+                           folder.path().string()));
 }
 
 }  // namespace
@@ -79,17 +91,18 @@ int run_indentation(const Case& c, const RunOptions& options, const std::optiona
   RunFolder folder(options, folder_name(c), c);
   Progress progress(options.quiet);
   try {
+    if (options.json) check_json_target(options.json->string());
     const StudyOutcome outcome = run_study(c, potential, {launch, options.ranks, folder.path()}, progress);
     report(outcome, options, folder);
     if (!outcome.failure.empty()) throw Error(ExitCode::atomistic_failed, outcome.failure);
     folder.finish();
     progress.say(fmt::format("wrote {}", folder.path().string()));
     return static_cast<int>(verdict(outcome));
-  } catch (const Error& error) {
-    if (error.exit_code() != ExitCode::interrupted) throw;
-    throw Error(ExitCode::interrupted,
-                fmt::format("interrupted; the finished depths are kept: continue with --resume --out '{}'",
-                            folder.path().string()));
+  } catch (const std::exception& error) {
+    const auto* known = dynamic_cast<const Error*>(&error);
+    if (known && known->exit_code() == ExitCode::interrupted) throw interrupted_in(folder);
+    folder.remove_if_unused();
+    throw;
   }
 }
 

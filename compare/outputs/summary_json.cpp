@@ -110,6 +110,13 @@ void write_summary(const Result& result, const std::filesystem::path& folder) {
   write_file(folder / "summary.json", as_text(result));
 }
 
+void check_json_target(const std::string& target) {
+  if (target == "-") return;
+  if (std::filesystem::is_directory(target))
+    throw Error(ExitCode::file_failed, fmt::format("--json: cannot write '{}': it is a folder", target));
+  const PendingFile removed_again(target);
+}
+
 void write_json(const Result& result, const std::string& target) {
   const std::string text = as_text(result);
   if (target != "-") return write_file(target, text);

@@ -19,6 +19,9 @@ nlohmann::ordered_json case_document(const Case& resolved);
 
 void write_summary(const Result& result, const std::filesystem::path& folder);
 
+/// Throws Error (file failed) if `--json` names what cannot be written: to be known before the work, not after it.
+void check_json_target(const std::string& target);
+
 /// The same document for `--json`: a file, or "-" for stdout. Throws Error (file failed).
 void write_json(const Result& result, const std::string& target);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/run_program.hpp"
@@ -48,6 +49,8 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentation", "--radius", "1 km"}, {"--radius", "unknown unit 'km'", "A, pm, nm, um, mm, m", "mean"}},
     {{"indentation", "--radius", "1 mm"}, {"--radius", "3000 Å"}},
     {{"indentation", "--tip-radius", "110"}, {"--tip-radius", "wider than the sheet", "110 Å"}},
+    {{"indentation", "--tip-radius", "109"}, {"--tip-radius", "wider than the sheet", "104.5 Å"}},
+    {{"indentation", "--forces", "1,1e5"}, {"--forces: 100000 eV/Å", "tear", "at most"}},
     {{"indentation", "--depth-max", "111"}, {"--depth-max: 111 Å", "deeper than the radius, 110 Å"}},
     {{"indentation", "--depth-max", "1", "--depth-step", "2"}, {"--depth-step", "2 Å", "largest depth, 1 Å"}},
     {{"indentation", "--depth-step", "1e-6"}, {"--depth-step", "levels", "at most 10000"}},
@@ -68,11 +71,63 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentation", "--case", "nope.toml"}, {"--case", "there is no file 'nope.toml'"}},
 };
 
+/// A membrane of given constants, in which only the first wrong value differs from a good one.
+Words given(const Words& wrong) {
+  Words words = {"indentation", "--models", "membrane", "--loads", "disc"};
+  words.insert(words.end(), wrong.begin(), wrong.end());
+  for (const auto& [flag, value] : {std::pair("--E", "5"), {"--thickness", "1"}, {"--nu", "0.2"}, {"--radius", "100"}})
+    if (std::find(wrong.begin(), wrong.end(), flag) == wrong.end()) words.insert(words.end(), {flag, value});
+  return words;
+}
+
+const BadCommandLine bad_membranes[] = {
+    {given({"--E", "1e300"}), {"--E, --thickness", "1e+300", "1e+12"}},
+    {given({"--E", "1e300", "--thickness", "1e300"}), {"--E, --thickness", "inf"}},
+    {given({"--E", "1e-300"}), {"--E, --thickness", "1e-300"}},
+    {given({"--radius", "1e30"}), {"--radius", "1e+30 Å", "to 1e+14 Å"}},
+    {given({"--radius", "1e-30"}), {"--radius", "1e-30 Å", "0.001 Å to"}},
+    {given({"--pretension", "1e6"}), {"--pretension", "1000000 eV/Å²", "5 eV/Å²"}},
+    {given({"--forces", "10,1e300"}), {"--forces", "1e+300 eV/Å", "500 eV/Å"}},
+    {given({"--tip-radius", "1e-12"}), {"--tip-radius", "1e-12 Å", "too small"}},
+    {given({"--tip-radius", "99.999"}), {"--tip-radius", "wider than the sheet", "95 Å"}},
+};
+
+TEST(BadInput, MembranesBeyondReason) {
+  const WorkFolder folder;
+  for (const auto& [command_line, message] : bad_membranes) {
+    SCOPED_TRACE(testing::PrintToString(command_line));
+    expect_refused(run_validate(command_line, folder.path()), 2, message);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  }
+}
+
 TEST(BadInput, CommandLines) {
   const WorkFolder folder;
   for (const auto& [command_line, message] : bad_command_lines) {
     SCOPED_TRACE(testing::PrintToString(command_line));
     expect_refused(run_validate(command_line, folder.path()), 2, message);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  }
+}
+
+/// What only the start of a run finds out: the same, and no run folder remains.
+TEST(BadInput, FoundBeforeAnythingIsComputed) {
+  const struct {
+    Words more;
+    int exit_code;
+    Words message;
+  } bad_runs[] = {
+      {{"--json", "no/such/folder/x.json"}, 6, {"cannot write", "no/such/folder/x.json"}},
+      {{"--json", "."}, 6, {"--json", "'.'", "folder"}},
+      {{"--json", ".", "--out", "deep/er/run/"}, 6, {"--json"}},
+      {{"--launcher", "no-such-launcher -n 2"}, 5, {"--launcher", "'no-such-launcher'", "PATH"}},
+  };
+  const WorkFolder folder;
+  for (const auto& [more, exit_code, message] : bad_runs) {
+    SCOPED_TRACE(testing::PrintToString(more));
+    Words words = {"indentation", "--radius", "15", "--tip-radius", "5", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    expect_refused(run_validate(words, folder.path()), exit_code, message);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   }
 }
