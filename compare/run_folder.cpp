@@ -16,7 +16,6 @@
 
 #include "compare/errors.hpp"
 #include "compare/outputs/file.hpp"
-#include "compare/outputs/summary_json.hpp"
 
 namespace compare {
 namespace {
@@ -73,10 +72,9 @@ void refuse_contents(const fs::path& folder, const RunOptions& options) {
   }
 }
 
-void refuse_changed_case(const fs::path& saved, const Case& c) {
+void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& now) {
   std::ifstream in(saved);
   const auto before = nlohmann::ordered_json::parse(in, nullptr, false);
-  const auto now = case_document(c);
   std::string changed;
   for (const auto& [key, value] : now.items())
     if (!before.is_object() || !before.contains(key) || before[key] != value)
@@ -87,7 +85,7 @@ void refuse_changed_case(const fs::path& saved, const Case& c) {
 
 }  // namespace
 
-RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const Case& c) {
+RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const nlohmann::ordered_json& identity) {
   path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume)).lexically_normal();
   if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
   refuse_contents(path_, options);
@@ -99,9 +97,9 @@ RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
     throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
   lock();
   if (options.resume) {
-    refuse_changed_case(work() / "case.json", c);
+    refuse_changed_case(work() / "case.json", identity);
   } else {
-    start(c);
+    start(identity);
   }
 }
 
@@ -118,14 +116,14 @@ void RunFolder::lock() {
     throw bad_input("--out: '{}' is in use by another run", path_.string());
 }
 
-void RunFolder::start(const Case& c) {
+void RunFolder::start(const nlohmann::ordered_json& identity) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(path_))
     if (is_run_file(entry.path().filename().string())) fs::remove_all(entry.path(), error);
   if (!error) fs::create_directories(work(), error);
   if (error)
     throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", path_.string(), error.message()));
-  write_file(work() / "case.json", case_document(c).dump(1) + "\n");
+  write_file(work() / "case.json", identity.dump(1) + "\n");
   started_here_ = true;
 }
 

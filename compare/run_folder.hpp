@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "compare/case.hpp"
 #include "compare/commands/run_options.hpp"
 
 namespace compare {
@@ -13,10 +13,11 @@ namespace compare {
 /// jobs, logs and finished steps; finish() removes it.
 class RunFolder {
  public:
-  /// Takes --out, or the first free runs/<default_name>, -2, -3, …; with --resume the newest of these.
+  /// Takes --out, or the first free runs/<default_name>, -2, -3, …; with --resume the newest of these. `identity` is
+  /// what decides the numbers, key by key: only a run of the same one is resumed.
   /// Throws Error: bad input for a folder that holds something else, a finished run without --overwrite, an unfinished
   /// one without --resume, or another case; file failed where it cannot be written; bad input where it is in use.
-  RunFolder(const RunOptions& options, const std::string& default_name, const Case& c);
+  RunFolder(const RunOptions& options, const std::string& default_name, const nlohmann::ordered_json& identity);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -31,7 +32,7 @@ class RunFolder {
 
  private:
   void lock();
-  void start(const Case& c);
+  void start(const nlohmann::ordered_json& identity);
 
   std::filesystem::path path_;
   std::filesystem::path first_new_;  ///< the uppermost folder that did not exist; empty: all did

@@ -63,13 +63,23 @@ ExitCode verdict(const StudyOutcome& outcome) {
 
 void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& folder) {
   write_all(outcome.result, folder.path());
-  if (outcome.result.provenance.potential_file.size()) write_lammps_log(folder.work(), folder.path());
+  write_lammps_log(folder.work(), folder.path());
   if (outcome.sheet)
     for (const std::string& load : outcome.result.resolved.loads)
       write_deepest_sheet(outcome.result.resolved.potential, load, *outcome.sheet, folder.work(), folder.path());
   const bool table_on_stdout = !options.json || *options.json != "-";
   if (table_on_stdout && !outcome.result.runs.empty()) print_table(outcome.result, stdout);
   if (options.json) write_json(outcome.result, options.json->string());
+}
+
+/// What decides the numbers of a run: the case, and what the potential's name stands for.
+nlohmann::ordered_json identity_of(const Case& c, const std::optional<PotentialFile>& potential) {
+  nlohmann::ordered_json identity = case_document(c);
+  if (!potential) return identity;
+  const atomistic::Potential& p = potential->potential;
+  identity["potential_definition"] = {p.pair_style, p.pair_coeff, potential->sha256, p.mass, p.interaction_range_A,
+                                      p.artefact_bond_A};
+  return identity;
 }
 
 Error interrupted_in(const RunFolder& folder) {
@@ -88,7 +98,7 @@ int run_indentation(const Case& c, const RunOptions& options, const std::optiona
     return 0;
   }
   catch_interrupts();
-  RunFolder folder(options, folder_name(c), c);
+  RunFolder folder(options, folder_name(c), identity_of(c, potential));
   Progress progress(options.quiet);
   try {
     if (options.json) check_json_target(options.json->string());

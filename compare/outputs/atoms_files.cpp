@@ -37,6 +37,7 @@ void write_lammps_log(const fs::path& work, const fs::path& folder) {
   std::set<fs::path> logs;
   for (const auto& entry : fs::directory_iterator(work))
     if (fs::exists(entry.path() / "log.lammps")) logs.insert(entry.path() / "log.lammps");
+  if (logs.empty()) return;
   std::string all;
   for (const fs::path& log : logs) {
     std::ifstream in(log);

@@ -262,6 +262,32 @@ TEST_P(StoppedBy, ASignalARunCanBeResumed) {
 
 INSTANTIATE_TEST_SUITE_P(Signal, StoppedBy, testing::Values(SIGKILL, SIGTERM, SIGINT));
 
+TEST(Resume, APotentialThatHasChangedIsRefused) {
+  const WorkFolder folder;
+  const auto potential = [&](const std::string& range) {
+    folder.write("mine.toml", "pair_style = \"tersoff\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\n"
+                              "interaction_range = " + range + "\n");
+  };
+  const Words words = small_run({"--out", "run", "--loads", "disc"});
+  const auto with_mine = [&](const Words& more) {
+    Words all = words;
+    all[4] = "mine.toml";
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  potential("4.5");
+  RunningValidate running(with_mine({}), folder.path());
+  ASSERT_TRUE(appears(folder.path() / "run/work/case.json"));
+  kill(running.pid(), SIGKILL);
+  running.wait();
+  ASSERT_TRUE(none_left(folder.path()));
+  potential("6");
+  expect_says(run_validate(with_mine({"--resume"}), folder.path()), 2, {"changed", "potential_definition"});
+  potential("4.5");
+  const Outcome resumed = run_validate(with_mine({"--resume"}), folder.path());
+  EXPECT_TRUE(resumed.exit_code == 0 || resumed.exit_code == 3) << resumed.err;
+}
+
 TEST(Failure, AKilledRankIsNamedWithItsSignal) {
   const WorkFolder folder;
   RunningValidate running({"indentation", "--radius", "30", "--loads", "disc", "--depth-step", "0.5", "--ranks", "1", "--out", "run"},
