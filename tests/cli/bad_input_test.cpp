@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,23 +93,17 @@ const BadCommandLine bad_membranes[] = {
     {given({"--tip-radius", "99.999"}), {"--tip-radius", "wider than the sheet", "95 Å"}},
 };
 
-TEST(BadInput, MembranesBeyondReason) {
+void expect_all_refused(std::span<const BadCommandLine> all) {
   const WorkFolder folder;
-  for (const auto& [command_line, message] : bad_membranes) {
+  for (const auto& [command_line, message] : all) {
     SCOPED_TRACE(testing::PrintToString(command_line));
     expect_refused(run_validate(command_line, folder.path()), 2, message);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   }
 }
 
-TEST(BadInput, CommandLines) {
-  const WorkFolder folder;
-  for (const auto& [command_line, message] : bad_command_lines) {
-    SCOPED_TRACE(testing::PrintToString(command_line));
-    expect_refused(run_validate(command_line, folder.path()), 2, message);
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-  }
-}
+TEST(BadInput, MembranesBeyondReason) { expect_all_refused(bad_membranes); }
+TEST(BadInput, CommandLines) { expect_all_refused(bad_command_lines); }
 
 /// What only the start of a run finds out: the same, and no run folder remains.
 TEST(BadInput, FoundBeforeAnythingIsComputed) {

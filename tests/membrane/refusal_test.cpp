@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include "membrane/problem.hpp"
@@ -26,6 +27,9 @@ struct Bad {
   const char* member;
   std::function<void(Problem&)> spoil;
 };
+
+/// The test's name in listings; without it, the bytes of the object.
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.member; }
 
 class Refusal : public ::testing::TestWithParam<Bad> {};
 
