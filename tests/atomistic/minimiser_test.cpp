@@ -104,8 +104,8 @@ TEST(Minimiser, LimitsTheStepOfEveryAtom) {
 TEST(Minimiser, GivesUpWhenTheCallerSaysSo) {
   const QuarticWell well(30);
   VectorXd x = VectorXd::Zero(30);
-  const MinimiserReport report =
-      minimise(preconditioned(well), {.force_tolerance = 1e-12}, x, [](int evaluations, double) { return evaluations < 4; });
+  const auto before_the_fourth = [](int evaluations, double) { return evaluations < 4; };
+  const MinimiserReport report = minimise(preconditioned(well), {.force_tolerance = 1e-12}, x, before_the_fourth);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.evaluations, 4);
   EXPECT_FALSE(report.reason.empty());

@@ -3,7 +3,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@ namespace cli_tests {
 struct Outcome {
   int exit_code = -1;  ///< −1 if it was ended by a signal
   std::string out, err;
-  double wall_ms = 0;
+  double cpu_ms = 0;  ///< of the program itself and the children it waited for; other programs' load does not count
 };
 
 /// A new folder that is removed at the end.
@@ -40,7 +39,6 @@ class RunningValidate {
 
  private:
   WorkFolder streams_;  // not in `folder`, which must show only what the program leaves
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   pid_t child_ = -1;
 };
 

@@ -319,7 +319,8 @@ TEST(Failure, TwoRunsCannotShareAFolder) {
 
 TEST(Launcher, MayStartAnyNumberOfRanks) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate(small_run({"--loads", "disc", "--launcher", "mpiexec -n 2", "--out", "run"}), folder.path());
+  const Words words = small_run({"--loads", "disc", "--launcher", "mpiexec -n 2", "--out", "run"});
+  const Outcome outcome = run_validate(words, folder.path());
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
   EXPECT_GE(run_of(document(folder.path() / "run/summary.json"), "atomistic", "disc")["force_eV_per_A"].size(), 4u);
 }
