@@ -34,6 +34,10 @@ concept MaterialLaw = requires(const L& law, const Voigt& strain, double axial_s
   /// Strain across the axis at which the force across vanishes (the natural width).
   { law.natural_width(axial_strain) } -> std::same_as<double>;
   { law.uniaxial(axial_strain) } -> std::same_as<UniaxialResponse>;
+  /// lambda3, thickness over reference thickness, in plane stress at this strain (that of the sheet, not
+  /// offset by a prestress). A law that has no 3-D parent has no thickness to change: 1. NaN beyond the
+  /// parent's range.
+  { law.thickness_stretch(strain) } -> std::same_as<double>;
   /// Throws std::invalid_argument when the parameters make no sense.
   { law.check() } -> std::same_as<void>;
 };

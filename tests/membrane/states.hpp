@@ -1,6 +1,7 @@
 // Named strains at which every law is tried, and the laws themselves.
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
