@@ -3,10 +3,14 @@
 
 #include <variant>
 
+#include "membrane/laws/cauchy_born.hpp"
+#include "membrane/laws/lee_graphene.hpp"
+#include "membrane/laws/mooney_rivlin.hpp"
 #include "membrane/laws/st_venant_kirchhoff.hpp"
 
 namespace membrane {
 
-using Law = std::variant<StVenantKirchhoff>;
+/// Neo-Hookean is Mooney–Rivlin without its second term: neo_hookean() makes it.
+using Law = std::variant<StVenantKirchhoff, MooneyRivlin, LeeGraphene, CauchyBorn>;
 
 }  // namespace membrane

@@ -15,13 +15,14 @@ namespace membrane {
 template <MaterialLaw L>
 Voigt offset_strain(const L& law, const Voigt& prestress_eV_per_A2) {
   constexpr int most_iterations = 50;
-  const double enough = 1e-15 * (prestress_eV_per_A2.norm() + 1e-3 * law.sheet_modulus_eV_per_A2);
+  constexpr double last = 1e-8;  // of the prestress: Newton's next step leaves the square of it: rounding
   Voigt strain = Voigt::Zero();
   for (int i = 0; i < most_iterations; ++i) {
     const Response at = law(strain);
     const Voigt missing = prestress_eV_per_A2 - at.force_eV_per_A2;
-    if (missing.norm() <= enough) return strain;
+    const bool done = missing.norm() <= last * prestress_eV_per_A2.norm();
     strain += at.tangent_eV_per_A2.inverse() * missing;
+    if (done) return strain;
   }
   return Voigt::Constant(std::numeric_limits<double>::quiet_NaN());
 }

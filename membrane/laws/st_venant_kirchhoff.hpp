@@ -33,7 +33,8 @@ struct StVenantKirchhoff {
     return {0.5 * force * axial_strain, force, sheet_modulus_eV_per_A2};
   }
 
-  /// S33 = 0 of the 3-D law: lambda3² = 1 − nu/(1 − nu) (lambda1² + lambda2² − 2), NaN where that is negative.
+  /// S33 = 0 of the 3-D law: lambda3² = 1 − nu/(1 − nu) (lambda1² + lambda2² − 2), NaN where that is
+  /// negative.
   double thickness_stretch(const Voigt& strain) const {
     return std::sqrt(1 - 2 * nu / (1 - nu) * (strain[0] + strain[1]));
   }

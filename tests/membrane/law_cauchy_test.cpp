@@ -23,16 +23,14 @@ TEST(Thickness, OfStVenantKirchhoffFreesTheFaces) {
   EXPECT_TRUE(std::isnan(svk.thickness_stretch(Voigt(2, 2, 0))));
 }
 
-TEST(Thickness, FollowsThePoissonRatioAtSmallStrain) {
-  for (const Law& any : laws())
-    std::visit(
-        [](const auto& law) {
-          EXPECT_EQ(law.thickness_stretch(Voigt::Zero()), 1);
-          const double e = 1e-6;
-          const double slope = (law.thickness_stretch(Voigt(e, e, 0)) - 1) / (2 * e);
-          EXPECT_NEAR(slope, -law.nu / (1 - law.nu), 1e-5);
-        },
-        any);
+TEST(Thickness, FollowsThePoissonRatioAtSmallStrainOrIsNominal) {
+  over_laws([]<class L>(const L& law) {
+    constexpr bool nominal = std::is_same_v<L, LeeGraphene> || std::is_same_v<L, CauchyBorn>;
+    EXPECT_EQ(law.thickness_stretch(Voigt::Zero()), 1);
+    const double e = 1e-6;
+    const double slope = (law.thickness_stretch(Voigt(e, e, 0)) - 1) / (2 * e);
+    EXPECT_NEAR(slope, nominal ? 0 : -law.nu / (1 - law.nu), 1e-5);
+  });
 }
 
 TEST(Cauchy, IsLambdaSquaredSOverJ) {
@@ -64,15 +62,12 @@ TEST(Cauchy, OfAWrinkledSheetIsThatOfTheNaturalWidth) {
 
 TEST(Cauchy, StartsFromThePrestress) {
   const Voigt prestress(0.17592, -0.05864, 0.08796);
-  for (const Law& any : laws())
-    std::visit(
-        [&](const auto& law) {
-          const Voigt offset = offset_strain(law, prestress);
-          EXPECT_LE((cauchy_force(law, Voigt::Zero(), offset, false) - prestress).norm(), 1e-14);
-          // Relaxed, the compressive part has wrinkled away: one principal stress is left.
-          EXPECT_NEAR(principal_forces(cauchy_force(law, Voigt::Zero(), offset, true)).smaller, 0, 1e-15);
-        },
-        any);
+  over_laws([&](const auto& law) {
+    const Voigt offset = offset_strain(law, prestress);
+    EXPECT_LE((cauchy_force(law, Voigt::Zero(), offset, false) - prestress).norm(), 1e-14);
+    // Relaxed, the compressive part has wrinkled away: one principal stress is left.
+    EXPECT_NEAR(principal_forces(cauchy_force(law, Voigt::Zero(), offset, true)).smaller, 0, 1e-15);
+  });
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Named strains at which every law is tried, and the laws themselves.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 #include <string>
@@ -10,11 +12,56 @@
 
 namespace membrane::testing {
 
-/// One of each law on the list for every Poisson ratio worth trying.
-inline std::vector<Law> laws() {
-  std::vector<Law> all;
-  for (double nu : {0.0, 0.19, 0.45, -0.158}) all.emplace_back(StVenantKirchhoff{8.03368, nu});
+struct NamedLaw {
+  std::string name;
+  Law law;
+};
+
+/// A law like one fitted to a potential: AIREBO's constants, every kind of term, odd powers of q with them.
+inline CauchyBorn some_lattice() {
+  return {17.33,
+          0.3645,
+          {{3, 0, -14.0},
+           {1, 2, -30.0},
+           {0, 3, 25.0},
+           {4, 0, 5.0},
+           {2, 2, 20.0},
+           {1, 3, -35.0},
+           {0, 4, -40.0},
+           {2, 3, 11.0},
+           {3, 2, -17.0},
+           {0, 5, 60.0},
+           {1, 5, 30.0},
+           {6, 0, 3.0}}};
+}
+
+/// Each law on the list, at every Poisson ratio worth trying.
+inline std::vector<NamedLaw> laws() {
+  const double modulus = 8.03368;
+  std::vector<NamedLaw> all;
+  const auto add = [&](const std::string& name, const Law& law) {
+    const double nu = std::visit([](const auto& l) { return l.nu; }, law);
+    all.push_back({name + ", nu = " + std::to_string(nu), law});
+  };
+  for (double nu : {0.0, 0.19, 0.45, -0.158}) {
+    add("St Venant-Kirchhoff", StVenantKirchhoff{modulus, nu});
+    add("Lee", LeeGraphene{modulus, nu, -2 * modulus});
+    add("neo-Hookean", neo_hookean(modulus, nu));
+    add("Mooney-Rivlin", MooneyRivlin{modulus, nu, 0.2});
+  }
+  add("incompressible neo-Hookean", neo_hookean(modulus, 0.5));
+  add("incompressible Mooney-Rivlin", MooneyRivlin{modulus, 0.5, 0.2});
+  add("Cauchy-Born", some_lattice());
   return all;
+}
+
+/// Calls visit(law) for each of laws(), inside a trace of its name.
+template <class Visit>
+void over_laws(Visit visit) {
+  for (const auto& [name, any] : laws()) {
+    SCOPED_TRACE(name);
+    std::visit(visit, any);
+  }
 }
 
 struct NamedStrain {
@@ -38,7 +85,7 @@ std::vector<NamedStrain> named_strains(Width width) {
   const double e = 0.05;
   std::vector<NamedStrain> states{
       {"rest", Voigt::Zero()},
-      {"uniaxial", principal_at(e, width(e) / 2, 0)},
+      {"nearly uniaxial", principal_at(e, width(e) + 0.01, 0)},
       {"biaxial", principal_at(e, e, 0.3)},
       {"nearly biaxial", principal_at(e, e - 1e-9, 0.3)},
       {"shear", Voigt(0, 0, 0.06)},
