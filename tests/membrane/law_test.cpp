@@ -127,8 +127,7 @@ TEST(Law, SmallStrainConstantsAreTheOnesGiven) {
 TEST(Law, AgreesWithStVenantKirchhoffToFirstOrderInStrain) {
   over_laws([](const auto& law) {
     const StVenantKirchhoff svk{law.sheet_modulus_eV_per_A2, law.nu};
-    for (const Voigt& way :
-         {Voigt(1, 0, 0), Voigt(0.6, -0.35, 0.7), Voigt(1, 1, 0), Voigt(-1, 0.2, -1)})
+    for (const Voigt& way : {Voigt(1, 0, 0), Voigt(0.6, -0.35, 0.7), Voigt(1, 1, 0), Voigt(-1, 0.2, -1)})
       expect_order(
           [&](double t) {
             return (law(Voigt(t * way)).force_eV_per_A2 - svk(Voigt(t * way)).force_eV_per_A2).norm();

@@ -1,4 +1,5 @@
-// Two equations of Gil et al. 2010 that are misprinted: the corrected form is the code's, the printed is not.
+// Eqs. 2 and 12 of Gil et al. 2010 are misprinted (4 and 13 too, law_spatial_test.cpp): corrected, the code;
+// printed, not.
 #include <gtest/gtest.h>
 
 #include <cmath>
