@@ -16,11 +16,13 @@ template <MaterialLaw L>
 Voigt offset_strain(const L& law, const Voigt& prestress_eV_per_A2) {
   constexpr int most_iterations = 50;
   constexpr double last = 1e-8;  // of the prestress: Newton's next step leaves the square of it: rounding
+  constexpr double noise = 1e-15;
   Voigt strain = Voigt::Zero();
   for (int i = 0; i < most_iterations; ++i) {
     const Response at = law(strain);
     const Voigt missing = prestress_eV_per_A2 - at.force_eV_per_A2;
-    const bool done = missing.norm() <= last * prestress_eV_per_A2.norm();
+    const bool done =
+        missing.norm() <= last * prestress_eV_per_A2.norm() + noise * law.sheet_modulus_eV_per_A2;
     strain += at.tangent_eV_per_A2.inverse() * missing;
     if (done) return strain;
   }

@@ -1,0 +1,118 @@
+#include "membrane/axisymmetric/assembly.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace membrane::axisymmetric {
+namespace {
+
+/// Gauss–Legendre on [0, 1].
+struct Gauss {
+  double at, weight;
+};
+constexpr std::array<Gauss, 4> gauss{{{0.06943184420297371, 0.17392742256872693},
+                                      {0.33000947820757187, 0.32607257743127307},
+                                      {0.66999052179242813, 0.32607257743127307},
+                                      {0.93056815579702629, 0.17392742256872693}}};
+
+std::vector<QuadraturePoint> quadrature(const std::vector<double>& nodes) {
+  std::vector<QuadraturePoint> points;
+  for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
+    for (const auto& [t, weight] : gauss) {
+      const double length = nodes[e + 1] - nodes[e];
+      const double radius = nodes[e] + t * length;
+      const double area = 2 * std::numbers::pi * radius * weight * length;
+      points.push_back({static_cast<int>(e), {radius, area}, interpolation(length, t)});
+    }
+  return points;
+}
+
+/// Every node but the last, and every middle. Contact counts rings, not their areas.
+std::vector<QuadraturePoint> watched(const std::vector<double>& nodes) {
+  std::vector<QuadraturePoint> points;
+  for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
+    for (double t : {0.0, 0.5}) {
+      const double length = nodes[e + 1] - nodes[e];
+      points.push_back({static_cast<int>(e), {nodes[e] + t * length, 1}, interpolation(length, t)});
+    }
+  return points;
+}
+
+}  // namespace
+
+Assembly::Assembly(std::vector<double> nodes, std::vector<int> held, std::vector<EnergyTerm> terms,
+                   std::optional<SphereContact> contact)
+    : nodes_(std::move(nodes)),
+      held_(std::move(held)),
+      terms_(std::move(terms)),
+      contact_(contact),
+      points_(quadrature(nodes_)) {
+  if (contact_) contact_points_ = watched(nodes_);
+}
+
+void Assembly::release_held(Eigen::VectorXd& vector) const {
+  for (int dof : held_) vector[dof] = 0;
+}
+
+double Assembly::energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+  parts_.assign(terms_.size() + 1, 0);
+  gradient.setZero(dof_count());
+  const auto add = [&](const QuadraturePoint& point, const LocalState& density) {
+    gradient.segment<2 * dofs_per_node>(dofs_per_node * point.element) +=
+        point.ring.area_A2 * point.B.transpose() * density;
+  };
+  for (const QuadraturePoint& point : points_) {
+    const LocalState y = state(point, x);
+    LocalState sum = LocalState::Zero();
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      const Density density = std::visit([&](const auto& term) { return term(point.ring, y); }, terms_[k]);
+      parts_[k] += point.ring.area_A2 * density.value;
+      sum += density.gradient;
+    }
+    add(point, sum);
+  }
+  for (const QuadraturePoint& point : contact_points_) {
+    const Density density = (*contact_)(point.ring, state(point, x));
+    parts_.back() += point.ring.area_A2 * density.value;
+    add(point, density.gradient);
+  }
+  full_gradient_ = gradient;
+  release_held(gradient);
+  return std::accumulate(parts_.begin(), parts_.end(), 0.0);
+}
+
+void Assembly::add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density,
+                   BlockTridiagonal& K) {
+  const Interpolation right = point.ring.area_A2 * density * point.B;
+  const ElementMatrix k = point.B.transpose() * right;
+  K.diagonal[point.element] += k.topLeftCorner<dofs_per_node, dofs_per_node>();
+  K.diagonal[point.element + 1] += k.bottomRightCorner<dofs_per_node, dofs_per_node>();
+  K.below[point.element] += k.bottomLeftCorner<dofs_per_node, dofs_per_node>();
+}
+
+void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
+  K.set_zero();
+  for (const QuadraturePoint& point : points_) {
+    const LocalState y = state(point, x);
+    Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+    for (const EnergyTerm& any : terms_)
+      sum += std::visit([&](const auto& term) { return term(point.ring, y).hessian; }, any);
+    add(point, sum, K);
+  }
+  for (const QuadraturePoint& point : contact_points_)
+    add(point, (*contact_)(point.ring, state(point, x)).hessian, K);
+  for (int dof : held_) K.hold(dof);
+}
+
+LocalState Assembly::state_at(double radius, const Eigen::VectorXd& x) const {
+  const auto above = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, radius);
+  const int e = static_cast<int>(above - nodes_.begin()) - 1;
+  const double length = nodes_[e + 1] - nodes_[e];
+  return interpolation(length, (radius - nodes_[e]) / length) *
+         x.segment<2 * dofs_per_node>(dofs_per_node * e);
+}
+
+}  // namespace membrane::axisymmetric

@@ -1,0 +1,99 @@
+// The sum of the energy's terms over a meridian, its gradient and its Hessian.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "membrane/axisymmetric/block_tridiagonal.hpp"
+#include "membrane/axisymmetric/terms.hpp"
+
+namespace membrane::axisymmetric {
+
+/// A Gauss point of an element.
+struct QuadraturePoint {
+  int element = 0;
+  Ring ring;
+  Interpolation B;
+};
+
+/// Degrees of freedom x: [u, u', w, w'] of every node, zero where held. The terms are integrated with four
+/// points an element. Contact is watched at the nodes and between them: as many places as there are degrees
+/// of freedom across the sheet, since with more the constraints would contradict each other.
+class Assembly {
+ public:
+  Assembly(std::vector<double> nodes, std::vector<int> held, std::vector<EnergyTerm> terms,
+           std::optional<SphereContact> contact);
+
+  /// Total energy (eV) and gradient (zero at held degrees of freedom).
+  double energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient);
+  /// Hessian, held rows and columns those of the unit matrix.
+  void hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const;
+
+  /// Of each term at the last energy(), contact last, eV.
+  const std::vector<double>& parts() const { return parts_; }
+  /// Gradient without its zeros: at held degrees of freedom the reaction.
+  const Eigen::VectorXd& full_gradient() const { return full_gradient_; }
+
+  /// Σ f(Ring, LocalState) over the rings of the terms, or of the contact.
+  template <class F>
+  double sum(const Eigen::VectorXd& x, F f) const {
+    return sum(points_, x, f);
+  }
+  template <class F>
+  double contact_sum(const Eigen::VectorXd& x, F f) const {
+    return sum(contact_points_, x, f);
+  }
+  /// Local state at any radius.
+  LocalState state_at(double radius, const Eigen::VectorXd& x) const;
+  /// Consistent weights of a density per reference area, up to r <= radius, with unit total: the conjugate
+  /// depth is their product with x.
+  template <class F>
+  Eigen::VectorXd pattern(F density, double radius) const {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(dof_count());
+    double total = 0;
+    for (const QuadraturePoint& point : points_) {
+      if (point.ring.radius_A > radius) continue;
+      const double share = point.ring.area_A2 * density(point.ring.radius_A);
+      weights.segment<2 * dofs_per_node>(dofs_per_node * point.element) += share * point.B.row(W).transpose();
+      total += share;
+    }
+    release_held(weights);
+    return weights / total;
+  }
+
+  /// Makes the held components zero.
+  void release_held(Eigen::VectorXd& vector) const;
+
+  int dof_count() const { return dofs_per_node * static_cast<int>(nodes_.size()); }
+  int element_count() const { return static_cast<int>(nodes_.size()) - 1; }
+  const std::vector<double>& nodes() const { return nodes_; }
+  std::vector<EnergyTerm>& terms() { return terms_; }
+  const std::vector<EnergyTerm>& terms() const { return terms_; }
+  std::optional<SphereContact>& contact() { return contact_; }
+
+ private:
+  using ElementMatrix = Eigen::Matrix<double, 2 * dofs_per_node, 2 * dofs_per_node>;
+
+  LocalState state(const QuadraturePoint& point, const Eigen::VectorXd& x) const {
+    return point.B * x.segment<2 * dofs_per_node>(dofs_per_node * point.element);
+  }
+  template <class F>
+  double sum(const std::vector<QuadraturePoint>& points, const Eigen::VectorXd& x, F f) const {
+    double total = 0;
+    for (const QuadraturePoint& point : points) total += f(point.ring, state(point, x));
+    return total;
+  }
+  static void add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density,
+                  BlockTridiagonal& K);
+
+  std::vector<double> nodes_;
+  std::vector<int> held_;
+  std::vector<EnergyTerm> terms_;
+  std::optional<SphereContact> contact_;
+  std::vector<QuadraturePoint> points_, contact_points_;
+  std::vector<double> parts_;
+  Eigen::VectorXd full_gradient_;
+};
+
+}  // namespace membrane::axisymmetric

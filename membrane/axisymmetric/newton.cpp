@@ -1,0 +1,102 @@
+#include "membrane/axisymmetric/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace membrane::axisymmetric {
+namespace {
+
+constexpr double aim = 1e-11;
+constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
+constexpr int most_searches = 200;
+constexpr int most_whole_steps = 40;
+constexpr double armijo = 1e-4;
+constexpr double energy_noise = 1e-13;  // of the sum of the terms
+constexpr double shortest_step = 1e-9;
+constexpr double first_shift = 1e-10;  // of the diagonal
+constexpr double shift_growth = 30;
+
+}  // namespace
+
+Newton::Newton(Assembly& assembly) : assembly_(assembly), hessian_(assembly.element_count() + 1) {}
+
+/// Factor of the Hessian, or of the least change of it that is positive definite: the step must go down.
+bool Newton::factorise(const Eigen::VectorXd& x) {
+  assembly_.hessian(x, hessian_);
+  ++factorisations_;
+  if (factor_.factorise(hessian_)) return true;
+  for (double share = first_shift; share < 1e3; share *= shift_growth) {
+    ++factorisations_;
+    if (factor_.factorise(hessian_, share)) return true;
+  }
+  return false;
+}
+
+/// Moves x along step_ as far as the energy falls enough; where its change drowns in rounding the slope
+/// decides (approximate Wolfe, Hager & Zhang 2005).
+bool Newton::line_search(Eigen::VectorXd& x) {
+  const double slope = residual_.dot(step_);
+  double scale = 0;
+  for (double part : assembly_.parts()) scale += std::abs(part);
+  for (double length = 1; length > shortest_step;) {
+    trial_ = x + length * step_;
+    const double trial_energy = assembly_.energy(trial_, trial_gradient_);
+    const double change = trial_energy - energy_;
+    const bool down = std::abs(change) > energy_noise * scale
+                          ? change <= armijo * length * slope
+                          : trial_gradient_.dot(step_) <= 0.9 * std::abs(slope) + energy_noise * scale;
+    if (down) {
+      x.swap(trial_);
+      gradient_.swap(trial_gradient_);
+      energy_ = trial_energy;
+      return true;
+    }
+    const double parabola = -0.5 * slope * length * length / (change - slope * length);
+    length = std::isfinite(parabola) ? std::clamp(parabola, 0.1 * length, 0.5 * length) : 0.1 * length;
+  }
+  return false;
+}
+
+Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
+  return solve(pattern, x, most_searches, true);
+}
+
+Equilibrium Newton::solve_by_whole_steps(Eigen::VectorXd& x) { return solve({}, x, most_whole_steps, false); }
+
+Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, int most_iterations,
+                          bool search) {
+  Equilibrium at;
+  energy_ = assembly_.energy(x, gradient_);
+  for (; at.iterations <= most_iterations; ++at.iterations) {
+    if (!std::isfinite(energy_) || !factorise(x)) {
+      at.reason = "energy or stiffness are not finite";
+      return at;
+    }
+    residual_ = gradient_;
+    if (pattern.size() > 0) {
+      const Eigen::VectorXd response = factor_.solve(pattern);
+      at.force_eV_per_A = response.dot(gradient_) / response.dot(pattern);
+      residual_ -= at.force_eV_per_A * pattern;
+    }
+    step_ = -factor_.solve(residual_);
+    double scale = 0;
+    for (double part : assembly_.parts()) scale += std::abs(part);
+    const double decrement = -residual_.dot(step_);
+    const double before = at.relative_residual;
+    at.relative_residual = decrement > 0 ? std::sqrt(decrement / scale) : 0;
+    const bool stalls = at.iterations > 0 && at.relative_residual > 0.3 * before;
+    at.converged = at.relative_residual <= aim || (stalls && at.relative_residual <= tolerance);
+    if (at.converged) return at;
+    if (!search) {
+      x += step_;
+      energy_ = assembly_.energy(x, gradient_);
+    } else if (!line_search(x)) {
+      at.reason = "the line search found no lower energy";
+      return at;
+    }
+  }
+  at.reason = "no equilibrium within " + std::to_string(most_iterations) + " iterations";
+  return at;
+}
+
+}  // namespace membrane::axisymmetric
