@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numbers>
 #include <sstream>
+#include <tuple>
 
 #include "membrane/axisymmetric/sheet.hpp"
 #include "states.hpp"
@@ -119,6 +120,16 @@ TEST(AxisymmetricMembrane, DiscOfTenAngstromOnThePapersSheet) {
   }
 }
 
+// Finite St Venant–Kirchhoff, by shooting over the force balance of the deformed meridian, computed
+// separately.
+TEST(AxisymmetricMembrane, DiscAtFiniteStrainUnderPretension) {
+  SheetProblem problem = membrane_problem(0.19, DiscLoad{11}, {20});
+  problem.law = StVenantKirchhoff{8.03368, 0.19};
+  problem.pretension_eV_per_A2 = 0.02;
+  problem.control = Control::force;
+  EXPECT_NEAR(run(problem)[0].depth_A / 27.162739174, 1, 1e-7);
+}
+
 TEST(AxisymmetricMembrane, ShallowDiscUnderPretension) {
   const double N0 = 0.5;
   for (double c : {0.02 * a, 0.0909 * a}) {
@@ -188,6 +199,31 @@ TEST(AxisymmetricPlate, ConvergesAndNeedsFewFactorisations) {
   EXPECT_GT(error(1) / error(2), 10);
 }
 
+// Clamped von Kármán plate, nu = 0.19, disc of a/11: depth/a at D = κ/(E·h a²), F/(E·h a) and N0/E·h, by
+// collocation of its four first-order equations, computed separately. Small slopes: everything scaled down, w
+// by 100.
+TEST(AxisymmetricPlate, VonKarmanFromPlateToMembrane) {
+  struct Case {
+    double bending, force, pretension, depth;
+  };
+  const double scale = 0.01;
+  for (const auto& [bending, force, pretension, depth] : {Case{1e-3, 1e-3, 0, 0.01910502892},
+                                                          {1e-4, 1e-4, 0, 0.01735716055},
+                                                          {1e-4, 1e-2, 0, 0.1802610699},
+                                                          {1e-5, 1e-4, 0, 0.03655454998},
+                                                          {1e-5, 1e-2, 0, 0.1918946091},
+                                                          {1e-6, 1e-4, 0, 0.0409292893},
+                                                          {1e-6, 1e-2, 0, 0.1940357302},
+                                                          {1e-5, 1e-4, 1e-3, 0.02375885916}}) {
+    SheetProblem problem = plate_problem(DiscLoad{a / 11}, {force * modulus * a * std::pow(scale, 3)});
+    problem.law = StVenantKirchhoff{modulus, 0.19};
+    problem.bending_modulus_eV = bending * modulus * a * a * scale * scale;
+    problem.pretension_eV_per_A2 = pretension * modulus * scale * scale;
+    problem.control = Control::force;
+    EXPECT_NEAR(run(problem)[0].depth_A / (a * scale * depth), 1, 1e-6) << bending << ", " << force;
+  }
+}
+
 // Deep under the load bending no longer matters: the plate's force comes down to the membrane's.
 TEST(AxisymmetricPlate, GoesOverIntoTheMembrane) {
   SheetProblem plate = plate_problem(DiscLoad{10}, {0.5, 5, 30});
@@ -210,6 +246,16 @@ TEST(AxisymmetricBulge, Hencky) {
   }
 }
 
+// Finite St Venant–Kirchhoff, follower pressure, clamped: w0/a at pa/E·h, by shooting, computed separately.
+TEST(AxisymmetricBulge, FiniteStrain) {
+  for (const auto& [nu, load, height] : {std::tuple{0.19, 1e-4, 0.0315554195456},
+                                         {0.19, 1e-2, 0.14715508603},
+                                         {0.19, 1e-1, 0.322848159809},
+                                         {0.3, 1e-1, 0.309515381929}})
+    EXPECT_NEAR(run(membrane_problem(nu, PressureLoad{}, {load * modulus / a}))[0].depth_A / (a * height), 1,
+                1e-8);
+}
+
 // Free rim, nothing stretches: the Mylar balloon, w0/R = 0.599070 with R/a = 0.762760 (Paulsen, Am. Math.
 // Monthly 101 (1994) 953, by the lemniscate constant).
 TEST(AxisymmetricBulge, MylarBalloon) {
@@ -229,6 +275,22 @@ TEST(AxisymmetricSphere, PretensionLimit) {
   SheetProblem problem = membrane_problem(0.2, SphereLoad{Rt}, {b * b / Rt * (std::log(a / b) + 0.5)});
   problem.pretension_eV_per_A2 = N0;
   EXPECT_NEAR(run(problem)[0].force_eV_per_A / (2 * pi * N0 * b * b / Rt), 1, 2e-3);
+}
+
+// The sheet of Gil et al. 2010, Figure 1: a = 500 nm, E·h = 342 N/m, nu = 0.165, N0 = 0.34 N/m; force in nN
+// at a depth in nm, by shooting from the circle where contact ends, computed separately.
+TEST(AxisymmetricSphere, FiniteStrain) {
+  for (const auto& [radius, depth, force] : {std::tuple{16.5, 20.0, 25.3941763141},
+                                             {16.5, 50.0, 212.438291417},
+                                             {16.5, 100.0, 1501.11604714},
+                                             {27.5, 20.0, 25.7691760987},
+                                             {27.5, 100.0, 1553.24126432}}) {
+    SheetProblem problem = membrane_problem(0, SphereLoad{radius}, {depth});
+    problem.radius_A = 500;
+    problem.law = StVenantKirchhoff{342, 0.165};
+    problem.pretension_eV_per_A2 = 0.34;
+    EXPECT_NEAR(run(problem)[0].force_eV_per_A / force, 1, 3e-5) << radius << ", " << depth;
+  }
 }
 
 TEST(AxisymmetricSphere, IsNotEnteredAndBalancesTheRim) {
