@@ -9,8 +9,6 @@
 #include <cmath>
 #include <memory>
 
-#include "compare/models/eq16.hpp"
-
 namespace compare {
 
 namespace {
@@ -102,6 +100,9 @@ std::string run_to_minimum(gsl_multifit_nlinear_workspace& solver, int max_itera
   return fmt::format("the fit did not converge in {} iterations", max_iterations);
 }
 
+/// Columns of the Jacobian that are this close to dependent are lost in rounding.
+constexpr double most_condition = 1e10;
+
 // Ratio of the smallest to the largest singular value, the columns brought to equal length first: independent
 // of the parameters' units.
 double reciprocal_condition(Eigen::MatrixXd jacobian) {
@@ -118,12 +119,13 @@ double reciprocal_condition(Eigen::MatrixXd jacobian) {
 // no solution to report, or nothing.
 std::string read_solution(const gsl_multifit_nlinear_workspace& solver, const Data& data,
                           LeastSquaresReport& report) {
-  if (!(reciprocal_condition(jacobian_of(solver)) > 1e-10))
-    return "the points do not determine the parameters";
+  report.condition_number = 1 / reciprocal_condition(jacobian_of(solver));
+  if (!(report.condition_number < most_condition)) return "the points do not determine the parameters";
   const std::size_t points = data.x.size(), p = solver.x->size;
   const double chi2 = as_eigen(gsl_multifit_nlinear_residual(&solver)).squaredNorm();
   const double variance = chi2 / static_cast<double>(points - p);
   report.residual_sd = std::sqrt(variance);
+  report.sum_of_squares = chi2;
 
   RowMajor covariance(p, p);
   gsl_matrix_view into = gsl_matrix_view_array(covariance.data(), p, p);
@@ -151,10 +153,25 @@ gsl_multifit_nlinear_fdf system_of(Data& data) {
   return system;
 }
 
+double weight_of(const std::vector<double>& weights, std::size_t i) {
+  return weights.empty() ? 1 : weights[i];
+}
+
 double norm_of(std::span<const double> y, const std::vector<double>& weights) {
   double squares = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) squares += (weights.empty() ? 1 : weights[i]) * y[i] * y[i];
+  for (std::size_t i = 0; i < y.size(); ++i) squares += weight_of(weights, i) * y[i] * y[i];
   return std::sqrt(squares);
+}
+
+double r_squared(std::span<const double> y, const std::vector<double>& weights, double sum_of_squares) {
+  double sum = 0, total = 0, scatter = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    sum += weight_of(weights, i) * y[i];
+    total += weight_of(weights, i);
+  }
+  for (std::size_t i = 0; i < y.size(); ++i)
+    scatter += weight_of(weights, i) * std::pow(y[i] - sum / total, 2);
+  return 1 - sum_of_squares / scatter;
 }
 
 }  // namespace
@@ -187,60 +204,8 @@ LeastSquaresReport least_squares(const AnyCurveModel& model, std::span<const dou
   report.iterations = static_cast<int>(gsl_multifit_nlinear_niter(solver.get()));
   if (report.reason.empty()) report.reason = read_solution(*solver, data, report);
   report.converged = report.reason.empty();
+  if (report.converged) report.r_squared = r_squared(y, options.weights, report.sum_of_squares);
   return report;
-}
-
-namespace {
-
-std::string too_few(const Run& run, std::size_t usable) {
-  std::size_t artefacts = 0, unconverged = 0;
-  for (const bool flag : run.artefact) artefacts += flag;
-  for (const bool flag : run.converged) unconverged += !flag;
-  return fmt::format("{} usable points of {} ({} in the artefact zone, {} not converged); a fit needs {}",
-                     usable, run.depth_A.size(), artefacts, unconverged, fewest_points_to_fit);
-}
-
-}  // namespace
-
-void fit_run(Run& run) {
-  run.fit.reset();
-  run.fit_skipped.clear();
-  const std::vector<std::size_t> usable = usable_points(run);
-  if (usable.size() < fewest_points_to_fit) {
-    run.fit_skipped = too_few(run, usable.size());
-    return;
-  }
-  const Eq16 model{run.a_A, run.nu};
-  if (!(std::isfinite(model.q()) && run.a_A > 0)) {
-    run.fit_skipped = fmt::format("radius {} Å and Poisson's ratio {} give no Eq. 16", run.a_A, run.nu);
-    return;
-  }
-
-  std::vector<double> depth, force;
-  for (const std::size_t i : usable) {
-    depth.push_back(run.depth_A[i]);
-    force.push_back(run.force_eV_per_A[i]);
-  }
-  // Linear in its parameters, so any start will do; this one has their size.
-  const double start[] = {force.back() / model.force(depth.back(), 1, 0), 0};
-  const LeastSquaresReport report = least_squares(model, depth, force, start);
-  if (!report.converged) {
-    run.fit_skipped = report.reason;
-    return;
-  }
-
-  double squares = 0;
-  for (const double r : report.residuals) squares += r * r;
-  Fit fit;
-  fit.Eh_eV_per_A2 = report.parameters[0];
-  fit.Eh_stderr_eV_per_A2 = report.standard_errors[0];
-  fit.pretension_eV_per_A2 = report.parameters[1];
-  fit.pretension_stderr_eV_per_A2 = report.standard_errors[1];
-  fit.correlation = report.correlation(0, 1);
-  fit.rms_relative = std::sqrt(squares / static_cast<double>(depth.size())) / std::ranges::max(force);
-  fit.window_A = {std::ranges::min(depth), std::ranges::max(depth)};
-  fit.points = static_cast<int>(depth.size());
-  run.fit = fit;
 }
 
 }  // namespace compare

@@ -16,8 +16,8 @@ namespace {
 /// The paper's constants of its figure 2 (from its reference [30]).
 constexpr double paper_E_eV_per_A3 = 5.864, paper_thickness_A = 1.37, paper_nu = 0.19;
 
-/// A load by its name, as each leaf knows it. `point` is the six atoms of the central hexagon, and one node of a
-/// membrane that has no atoms to match.
+/// A load by its name, as each leaf knows it. `point` is the six atoms of the central hexagon, and one node
+/// of a membrane that has no atoms to match.
 struct LoadPair {
   std::string_view name;
   atomistic::Load (*atoms)(double tip_A);
@@ -40,8 +40,9 @@ const LoadPair& load_pair(std::string_view name) {
 bool dead_forces(const Case& c) { return !c.forces_eV_per_A.empty(); }
 
 /// Membrane with its radii, constants and pretension; the case supplies the rest.
-MembraneExperiment membrane_experiment(const Case& c, const std::string& load, const std::vector<double>& levels,
-                                       Constants constants, double a_A, membrane::Load pattern, double Eh, double nu) {
+MembraneExperiment membrane_experiment(const Case& c, const std::string& load,
+                                       const std::vector<double>& levels, Constants constants, double a_A,
+                                       membrane::Load pattern, double Eh, double nu) {
   MembraneExperiment e;
   e.run.model = Model::membrane;
   e.run.load = load;
@@ -83,8 +84,8 @@ atomistic::Load atomistic_load(const Case& c, const std::string& load) {
 }
 
 AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potential& potential,
-                                         const atomistic::Card& card, const PairedSheet& pair, const std::string& load,
-                                         const std::vector<double>& levels) {
+                                         const atomistic::Card& card, const PairedSheet& pair,
+                                         const std::string& load, const std::vector<double>& levels) {
   AtomisticExperiment e;
   e.problem.potential = potential;
   e.problem.card = card;
@@ -102,26 +103,29 @@ AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potenti
   e.run.Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2();
   e.run.nu = card.nu();
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
+  e.run.record_radius_A = pair.sheet().bond_A;
   return e;
 }
 
 MembraneExperiment card_membrane(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
                                  const std::string& load, const std::vector<double>& levels) {
   const membrane::DiscLoad twin{pair.effective_tip_A(atomistic_load(c, load))};  // also of the six atoms
-  MembraneExperiment e = membrane_experiment(c, load, levels, Constants::card, pair.effective_radius_A(), twin,
-                                             card.sheet_modulus_eV_per_A2(), card.nu());
+  MembraneExperiment e = membrane_experiment(c, load, levels, Constants::card, pair.effective_radius_A(),
+                                             twin, card.sheet_modulus_eV_per_A2(), card.nu());
+  e.run.record_radius_A = pair.sheet().bond_A;
   e.problem.record_radius_A = pair.sheet().bond_A;  // where the atoms' depth of record is taken
   return e;
 }
 
 MembraneExperiment paper_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
-  return membrane_experiment(c, load, levels, Constants::paper, c.radius_A, load_pair(load).nominal(c.tip_radius_A),
-                             paper_E_eV_per_A3 * paper_thickness_A, paper_nu);
+  return membrane_experiment(c, load, levels, Constants::paper, c.radius_A,
+                             load_pair(load).nominal(c.tip_radius_A), paper_E_eV_per_A3 * paper_thickness_A,
+                             paper_nu);
 }
 
 MembraneExperiment given_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
-  return membrane_experiment(c, load, levels, Constants::given, c.radius_A, load_pair(load).nominal(c.tip_radius_A),
-                             *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
+  return membrane_experiment(c, load, levels, Constants::given, c.radius_A,
+                             load_pair(load).nominal(c.tip_radius_A), *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
 }
 
 CardSummary summary_of(const atomistic::Card& card) {

@@ -29,7 +29,22 @@ std::string_view to_string(Ended);
 /// Also for a curve whose program failed: "failed".
 std::string_view to_string(const std::optional<Ended>&);
 
-/// Eq. 16 fitted to a curve.
+/// What Eq. 16 reads from a membrane whose E·h and pretension are known, at the depths of the fit, and what
+/// follows for the curve fitted: E·h by the ratio, the pretension by the difference.
+struct FitBias {
+  double Eh_true_eV_per_A2 = 0, Eh_read_eV_per_A2 = 0;
+  double pretension_true_eV_per_A2 = 0, pretension_read_eV_per_A2 = 0;
+  double Eh_corrected_eV_per_A2 = 0, pretension_corrected_eV_per_A2 = 0;
+};
+
+/// The membrane model itself, with the real tip, fitted to the curve.
+struct DirectFit {
+  double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
+  double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
+  double rms_relative = 0;
+};
+
+/// Eq. 16, or another closed form, fitted to a curve.
 struct Fit {
   double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
   double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
@@ -37,6 +52,23 @@ struct Fit {
   double rms_relative = 0;  ///< root mean square residual over the largest force
   std::array<double, 2> window_A{};
   int points = 0;
+
+  double r_squared = not_known, condition_number = not_known;
+  std::array<double, 2> Eh_interval_eV_per_A2{not_known, not_known};          ///< 95 %, profile likelihood
+  std::array<double, 2> pretension_interval_eV_per_A2{not_known, not_known};  ///< 95 %, profile likelihood
+  double Eh_bootstrap_eV_per_A2 = not_known;              ///< standard error from refits to drawn residuals
+  double pretension_bootstrap_eV_per_A2 = not_known;      ///< the same
+  std::vector<double> fitted_depth_A, residual_eV_per_A;  ///< the points fitted, force − model
+  std::optional<double> depth_offset_A, force_offset_eV_per_A;  ///< where asked for
+
+  std::optional<FitBias> bias;
+  std::optional<DirectFit> direct;
+  std::vector<std::string> warnings;  ///< what a careful reader would say of this fit
+};
+
+/// The fit against the depth up to which points are used.
+struct WindowScan {
+  std::vector<double> depth_max_A, Eh_eV_per_A2, pretension_eV_per_A2;
 };
 
 /// One force–depth curve. All arrays are equally long; those of the other model stay empty.
@@ -47,8 +79,9 @@ struct Run {
   double a_A = not_known, tip_A = not_known;        ///< radii as used (pairing radii where paired)
   double Eh_eV_per_A2 = not_known, nu = not_known;  ///< as used; for atoms those of the card
   double pretension_eV_per_A2 = 0;
+  double record_radius_A = 0;  ///< where the depth of record is taken; 0: the centre
   std::optional<Ended> ended;  ///< nothing where the program that computed the curve failed
-  std::string ended_reason;  ///< in words, for the table and the log
+  std::string ended_reason;    ///< in words, for the table and the log
 
   std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A, energy_eV;
   std::vector<bool> converged;
@@ -64,6 +97,7 @@ struct Run {
 
   std::optional<Fit> fit;
   std::string fit_skipped;  ///< why there is no fit
+  WindowScan scan;          ///< empty where there is no fit
 };
 
 /// Indices of the points that fits, curves and the verdict use: converged, outside the artefact zone, with a
@@ -99,8 +133,8 @@ struct SheetSummary {
 struct Timing {
   double wall_s = not_known, membrane_s = not_known;
   std::optional<double> atomistic_s;
-  std::optional<double> force_s;   ///< inside LAMMPS: pair, neighbour, communication
-  std::optional<double> setup_s;   ///< inside LAMMPS: start, and the first force of each depth with its set-up
+  std::optional<double> force_s;  ///< inside LAMMPS: pair, neighbour, communication
+  std::optional<double> setup_s;  ///< inside LAMMPS: start, and the first force of each depth with its set-up
   std::optional<double> factor_s;  ///< factorising the preconditioner
   std::optional<double> solve_s;   ///< solving with it
   std::optional<long> force_calls;

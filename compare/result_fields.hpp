@@ -20,6 +20,63 @@ void describe(Self& fit, Visitor&& visit) {
         fit.rms_relative);
   visit(Field{"window", unit::length, "first and last depth fitted"}, fit.window_A);
   visit(Field{"points", unit::none, "number of points fitted"}, fit.points);
+  visit(Field{"r_squared", unit::none, "share of the forces' scatter that the fit explains"}, fit.r_squared);
+  visit(Field{"condition_number", unit::none, "of the Jacobian with columns of equal length"},
+        fit.condition_number);
+  visit(Field{"Eh_interval", unit::membrane_force, "95 % interval by profile likelihood"},
+        fit.Eh_interval_eV_per_A2);
+  visit(Field{"pretension_interval", unit::membrane_force, "95 % interval by profile likelihood"},
+        fit.pretension_interval_eV_per_A2);
+  visit(Field{"Eh_bootstrap", unit::membrane_force, "standard error by residual bootstrap"},
+        fit.Eh_bootstrap_eV_per_A2);
+  visit(Field{"pretension_bootstrap", unit::membrane_force, "standard error by residual bootstrap"},
+        fit.pretension_bootstrap_eV_per_A2);
+  visit(Field{"warnings", unit::none, "what a careful reader would say of this fit"}, fit.warnings);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Fit>
+void describe_points(Self& fit, Visitor&& visit) {
+  visit(Field{"fitted_depth", unit::length, "depths of the points fitted"}, fit.fitted_depth_A);
+  visit(Field{"residual", unit::force, "force minus the fitted curve there"}, fit.residual_eV_per_A);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, FitBias>
+void describe(Self& bias, Visitor&& visit) {
+  visit(Field{"Eh_true", unit::membrane_force, "sheet modulus of the membrane"}, bias.Eh_true_eV_per_A2);
+  visit(Field{"Eh_read", unit::membrane_force, "what the fit reads from that membrane"},
+        bias.Eh_read_eV_per_A2);
+  visit(Field{"pretension_true", unit::membrane_force, "pretension of the membrane"},
+        bias.pretension_true_eV_per_A2);
+  visit(Field{"pretension_read", unit::membrane_force, "what the fit reads from that membrane"},
+        bias.pretension_read_eV_per_A2);
+  visit(Field{"Eh_corrected", unit::membrane_force, "fitted sheet modulus × true / read"},
+        bias.Eh_corrected_eV_per_A2);
+  visit(Field{"pretension_corrected", unit::membrane_force, "fitted pretension + true − read"},
+        bias.pretension_corrected_eV_per_A2);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, DirectFit>
+void describe(Self& fit, Visitor&& visit) {
+  visit(Field{"Eh", unit::membrane_force, "sheet modulus of the membrane that fits"}, fit.Eh_eV_per_A2);
+  visit(Field{"Eh_stderr", unit::membrane_force, "its standard error"}, fit.Eh_stderr_eV_per_A2);
+  visit(Field{"pretension", unit::membrane_force, "pretension of the membrane that fits"},
+        fit.pretension_eV_per_A2);
+  visit(Field{"pretension_stderr", unit::membrane_force, "its standard error"},
+        fit.pretension_stderr_eV_per_A2);
+  visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"},
+        fit.rms_relative);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, WindowScan>
+void describe_points(Self& scan, Visitor&& visit) {
+  visit(Field{"depth_max", unit::length, "largest depth fitted"}, scan.depth_max_A);
+  visit(Field{"Eh", unit::membrane_force, "sheet modulus fitted up to there"}, scan.Eh_eV_per_A2);
+  visit(Field{"pretension", unit::membrane_force, "pretension fitted up to there"},
+        scan.pretension_eV_per_A2);
 }
 
 /// What holds for the run as a whole.
@@ -37,6 +94,8 @@ void describe(Self& run, Visitor&& visit) {
   visit(Field{"nu", unit::none, "Poisson's ratio as used; for atoms the card's"}, run.nu);
   visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"},
         run.pretension_eV_per_A2);
+  visit(Field{"record_radius", unit::length, "where the depth of record is taken; 0: the centre"},
+        run.record_radius_A);
   visit(Field{"ended", unit::none, "how the path ended"}, run.ended);
   visit(Field{"ended_reason", unit::none, "the same in words"}, run.ended_reason);
   if (run.model == Model::membrane) {

@@ -13,10 +13,11 @@
 #include "compare/curve.hpp"
 #include "compare/curves.hpp"
 #include "compare/errors.hpp"
-#include "compare/fit.hpp"
+#include "compare/fit_warnings.hpp"
 #include "compare/interrupt.hpp"
 #include "compare/pairing.hpp"
 #include "compare/provenance.hpp"
+#include "compare/run_fit.hpp"
 
 namespace compare {
 namespace {
@@ -82,15 +83,15 @@ std::vector<double> merged(std::vector<double> levels, const std::vector<double>
   if (more.empty()) return levels;
   levels.insert(levels.end(), more.begin(), more.end());
   std::sort(levels.begin(), levels.end());
-  levels.erase(std::unique(levels.begin(), levels.end(),
-                           [](double a, double b) { return b - a < 1e-9 * b; }),
+  levels.erase(std::unique(levels.begin(), levels.end(), [](double a, double b) { return b - a < 1e-9 * b; }),
                levels.end());
   return levels;
 }
 
 class Study {
  public:
-  Study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options, Progress& progress)
+  Study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
+        Progress& progress)
       : case_(c), potential_(potential), options_(options), progress_(progress) {
     outcome_.result.resolved = c;
     outcome_.result.provenance = provenance(command_line());
@@ -103,7 +104,8 @@ class Study {
       outcome_.result.provenance.potential_sha256 = potential_->sha256;
       if (compute_card()) compare_models();
     } else {
-      for (const std::string& load : case_.loads) membranes_.push_back(given_membrane(case_, load, levels_of(case_)));
+      for (const std::string& load : case_.loads)
+        membranes_.push_back(given_membrane(case_, load, levels_of(case_)));
       compute_curves();
     }
     finish();
@@ -118,11 +120,13 @@ class Study {
 
   bool compute_card() {
     progress_.say(fmt::format("potential card of {}", case_.potential));
-    const AtomsJob job{"card", {atomistic::CardJob{potential_->potential}, (work() / "card" / "log.lammps").string()}, 1};
-    const auto outcomes = run_jobs(options_.launch, {job}, work(), [&](std::size_t, const atomistic::Event& event) {
-      if (const auto* e = std::get_if<atomistic::CardEvent>(&event)) card_ = e->card;
-      note_start(event);
-    });
+    const AtomsJob job{
+        "card", {atomistic::CardJob{potential_->potential}, (work() / "card" / "log.lammps").string()}, 1};
+    const auto outcomes =
+        run_jobs(options_.launch, {job}, work(), [&](std::size_t, const atomistic::Event& event) {
+          if (const auto* e = std::get_if<atomistic::CardEvent>(&event)) card_ = e->card;
+          note_start(event);
+        });
     if (!outcomes[0].finished || !card_) {
       outcome_.failure = "the potential card: " + outcomes[0].failure;
       return false;
@@ -156,14 +160,15 @@ class Study {
           .effective_radius_A = pair_->effective_radius_A(),
           .atoms = pair_->sheet().atoms(),
           .free_atoms = pair_->sheet().free_atoms,
-          .loaded_disc_atoms = static_cast<int>(atomistic::atoms_within(pair_->sheet(), case_.tip_radius_A).size())};
+          .loaded_disc_atoms =
+              static_cast<int>(atomistic::atoms_within(pair_->sheet(), case_.tip_radius_A).size())};
     }
     compute_curves();
   }
 
-  /// Controlled depths that bring the depth of record just below the window's lower end and just above its upper one, by
-  /// the like-for-like membrane. Bending makes the atoms' ratio of the two depths another one, by 0.2 % at 110 Å and
-  /// 1.4 % at 30 Å.
+  /// Controlled depths that bring the depth of record just below the window's lower end and just above its
+  /// upper one, by the like-for-like membrane. Bending makes the atoms' ratio of the two depths another one,
+  /// by 0.2 % at 110 Å and 1.4 % at 30 Å.
   std::vector<double> window_levels(const std::string& load) const {
     const double margin = 0.005 + 0.6 / case_.radius_A;
     if (load != case_.judged_load || case_.models != "both" || !case_.forces_eV_per_A.empty()) return {};
@@ -173,7 +178,8 @@ class Study {
     const Curve controlled(scout.run.depth_A, scout.run.conjugate_depth_A);
     std::vector<double> levels;
     const double a = pair_->effective_radius_A();
-    for (const double depth : {case_.window.front() * a * (1 - margin), case_.window.back() * a * (1 + margin)})
+    for (const double depth :
+         {case_.window.front() * a * (1 - margin), case_.window.back() * a * (1 + margin)})
       if (const auto level = controlled.at(depth)) levels.push_back(*level);
     return levels;
   }
@@ -191,7 +197,8 @@ class Study {
     if (options_.ranks > 0) return options_.ranks;
     if (!options_.launch.launcher.empty() || !has_mpiexec()) return 1;
     const int side_by_side = std::min<int>(options_.launch.cores, static_cast<int>(atoms_.size()));
-    return std::clamp(pair_->sheet().atoms() / fewest_atoms_per_rank, 1, options_.launch.cores / side_by_side);
+    return std::clamp(pair_->sheet().atoms() / fewest_atoms_per_rank, 1,
+                      options_.launch.cores / side_by_side);
   }
 
   void compute_atoms() {
@@ -218,8 +225,10 @@ class Study {
     outcome_.result.timing.atomistic_s = seconds() - start;
   }
 
-  /// The run of a curve is rebuilt from its step files: what a kill or an error leaves is never more than they hold.
-  void collect(AtomisticExperiment& e, const std::optional<atomistic::Report>& report, const AtomsOutcome& outcome) {
+  /// The run of a curve is rebuilt from its step files: what a kill or an error leaves is never more than
+  /// they hold.
+  void collect(AtomisticExperiment& e, const std::optional<atomistic::Report>& report,
+               const AtomsOutcome& outcome) {
     for (const atomistic::Step& step : atomistic::read_finished_steps(steps_folder(e)))
       append(e.run, step, potential_->potential.artefact_bond_A);
     if (outcome.finished && report) {
@@ -228,7 +237,8 @@ class Study {
     } else {
       e.run.ended.reset();
       e.run.ended_reason = outcome.failure;
-      if (outcome_.failure.empty()) outcome_.failure = fmt::format("atoms, {} load: {}", e.run.load, outcome.failure);
+      if (outcome_.failure.empty())
+        outcome_.failure = fmt::format("atoms, {} load: {}", e.run.load, outcome.failure);
     }
   }
 
@@ -240,18 +250,20 @@ class Study {
     for (const auto& [load, done] : done_) sum += done;
     const double fraction = sum / static_cast<double>(atoms_.size());
     const double left = progress_.elapsed_s() * (1 - fraction) / std::max(fraction, 1e-3);
-    progress_.status(fmt::format("{} about {:.0f} s left; {}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å",
-                                 bar(fraction), left, atoms_[index].run.load, event.level + 1, levels.size(),
-                                 event.evaluations, event.max_force_eV_per_A));
+    progress_.status(fmt::format(
+        "{} about {:.0f} s left; {}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å", bar(fraction), left,
+        atoms_[index].run.load, event.level + 1, levels.size(), event.evaluations, event.max_force_eV_per_A));
   }
 
   void tell(std::size_t index, const atomistic::StepEvent& event) {
     const AtomisticExperiment& e = atoms_[index];
     const atomistic::Step step = atomistic::read_step(steps_folder(e) / event.file);
-    progress_.say(fmt::format("atoms {:5} {:2}/{}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}",
-                              e.run.load, event.level + 1, e.problem.levels.size(), step.depth_A, step.force_eV_per_A,
-                              step.evaluations, step.longest_bond_A,
-                              step.longest_bond_A >= e.problem.potential.artefact_bond_A - 0.02 ? "  (near the artefact zone)" : ""));
+    progress_.say(fmt::format(
+        "atoms {:5} {:2}/{}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}",
+        e.run.load, event.level + 1, e.problem.levels.size(), step.depth_A, step.force_eV_per_A,
+        step.evaluations, step.longest_bond_A,
+        step.longest_bond_A >= e.problem.potential.artefact_bond_A - 0.02 ? "  (near the artefact zone)"
+                                                                          : ""));
   }
 
   void finish() {
@@ -259,6 +271,9 @@ class Study {
     for (AtomisticExperiment& e : atoms_) result.runs.push_back(std::move(e.run));
     for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));
     for (Run& run : result.runs) fit_run(run);
+    add_biases(result);
+    add_direct_fits(result);
+    add_warnings(result);
     judge(result);
   }
 
@@ -276,8 +291,8 @@ class Study {
 
 }  // namespace
 
-StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
-                       Progress& progress) {
+StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential,
+                       const StudyOptions& options, Progress& progress) {
   return Study(c, potential, options, progress).run();
 }
 

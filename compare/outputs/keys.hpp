@@ -1,6 +1,7 @@
 // How a described member is called in a document: its name and its unit, and the twin in SI-like units.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -34,6 +35,10 @@ void describe_with_twins(const Struct& object, Emit&& emit) {
       std::optional<double> converted = value;
       if (converted) *converted *= N_per_m_per_eV_per_A2;
       emit(in_unit(field, unit::newton_per_metre), converted);
+    } else if constexpr (std::is_same_v<Value, std::array<double, 2>>) {
+      if (field.unit != unit::membrane_force) return;
+      emit(in_unit(field, unit::newton_per_metre),
+           Value{value[0] * N_per_m_per_eV_per_A2, value[1] * N_per_m_per_eV_per_A2});
     }
   });
 }

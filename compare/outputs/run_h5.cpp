@@ -71,7 +71,12 @@ void write_run(h5::Group& runs, std::size_t index, const Run& run) {
   h5::Group group = write_group(runs, fmt::format("{}", index), run);
   write_columns(group, run);
   if (run.fit) {
-    write_group(group, "fit", *run.fit);
+    h5::Group fit = write_group(group, "fit", *run.fit);
+    write_columns(fit, *run.fit);
+    if (run.fit->bias) write_group(fit, "bias", *run.fit->bias);
+    if (run.fit->direct) write_group(fit, "direct", *run.fit->direct);
+    h5::Group scan = group.group("window_scan");
+    write_columns(scan, run.scan);
   } else {
     group.attribute("fit_skipped", run.fit_skipped);
   }

@@ -64,11 +64,19 @@ Json object_of(const std::optional<Struct>& described) {
   return described ? object_of(*described) : Json(nullptr);
 }
 
+template <class Struct>
+Json columns_of(const Struct& described) {
+  Json object = Json::object();
+  describe_points(described, AddTo(object));
+  return object;
+}
+
 Json run_object(const Run& run) {
   Json object = object_of(run);
   describe_points(run, AddTo(object));
-  object["fit"] = object_of(run.fit);
+  object["fit"] = run.fit ? fit_document(*run.fit) : Json(nullptr);
   if (!run.fit) object["fit_skipped"] = to_json_value(run.fit_skipped);
+  if (!run.scan.depth_max_A.empty()) object["window_scan"] = columns_of(run.scan);
   return object;
 }
 
@@ -79,6 +87,16 @@ Json agreement_object(const Agreement& agreement) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json fit_document(const Fit& fit) {
+  Json object = object_of(fit);
+  if (fit.depth_offset_A) object["depth_offset_A"] = *fit.depth_offset_A;
+  if (fit.force_offset_eV_per_A) object["force_offset_eV_per_A"] = *fit.force_offset_eV_per_A;
+  describe_points(fit, AddTo(object));
+  object["bias"] = object_of(fit.bias);
+  object["direct"] = object_of(fit.direct);
+  return object;
+}
 
 nlohmann::ordered_json case_document(const Case& resolved) { return object_of(resolved); }
 

@@ -17,6 +17,9 @@ nlohmann::ordered_json summary_document(const Result& result);
 /// The resolved case, as it stands in the document.
 nlohmann::ordered_json case_document(const Case& resolved);
 
+/// A fit, as it stands in the document of a run or of `validate fit`.
+nlohmann::ordered_json fit_document(const Fit& fit);
+
 void write_summary(const Result& result, const std::filesystem::path& folder);
 
 /// Throws Error (file failed) if `--json` names what cannot be written: to be known before the work, not after it.

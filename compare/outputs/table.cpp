@@ -95,6 +95,33 @@ Row row_of(const Run& run, const std::string& card) {
           ended};
 }
 
+// What the fit is known to get wrong, and what is left when that is taken out.
+void add_corrections(std::string& text, const std::vector<Run>& runs) {
+  if (std::ranges::none_of(runs, [](const Run& run) { return run.fit && run.fit->bias; })) return;
+  const auto line = [&](const std::array<std::string, 6>& cell) {
+    const std::string row = fmt::format("{:<22}{:>17}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2],
+                                        cell[3], cell[4], cell[5]);
+    text.append(row, 0, row.find_last_not_of(' ') + 1) += '\n';
+  };
+  line({"Bias known, removed", "Eq. 16 reads", "corrected", "membrane itself", "corrected",
+        "membrane itself"});
+  line({"", "E·h of membrane", "E·h (N/m)", "E·h (N/m)", "pretension (N/m)", "pretension (N/m)"});
+  for (const Run& run : runs) {
+    if (!run.fit || !run.fit->bias) continue;
+    const FitBias& bias = *run.fit->bias;
+    const auto& direct = run.fit->direct;
+    line({name_of(run), fmt::format("{:+.1f} %", 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1)),
+          fixed(in_N_per_m(bias.Eh_corrected_eV_per_A2), 1),
+          direct ? with_error(in_N_per_m(direct->Eh_eV_per_A2), in_N_per_m(direct->Eh_stderr_eV_per_A2), 1)
+                 : "",
+          fixed(in_N_per_m(bias.pretension_corrected_eV_per_A2), 3),
+          direct ? with_error(in_N_per_m(direct->pretension_eV_per_A2),
+                              in_N_per_m(direct->pretension_stderr_eV_per_A2), 3)
+                 : ""});
+  }
+  text += '\n';
+}
+
 void add_notes(std::string& text, const Run& run) {
   const auto artefacts = std::ranges::count(run.artefact, true);
   if (artefacts > 0) {
@@ -107,6 +134,9 @@ void add_notes(std::string& text, const Run& run) {
   if (!run.ended_reason.empty() && run.ended != Ended::depth_max) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
+  if (!run.fit || run.constants == Constants::card || run.constants == Constants::paper)
+    return;  // bias: shown above
+  for (const std::string& warning : run.fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
 }
 
 // The judged point that differs most, in words.
@@ -157,6 +187,7 @@ std::string table(const Result& result, bool colour) {
   const std::string card = result.card ? fixed(in_N_per_m(result.card->Eh_eV_per_A2), 1) : "-";
   for (const Run& run : result.runs) add_row(text, row_of(run, card));
   text += '\n';
+  add_corrections(text, result.runs);
   const std::size_t before_notes = text.size();
   for (const Run& run : result.runs) add_notes(text, run);
   if (text.size() > before_notes) text += '\n';

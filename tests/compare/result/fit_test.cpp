@@ -8,6 +8,7 @@
 #include <random>
 
 #include "compare/models/eq16.hpp"
+#include "compare/run_fit.hpp"
 #include "compare/units.hpp"
 #include "tests/compare/result/sample_result.hpp"
 

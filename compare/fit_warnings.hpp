@@ -1,0 +1,26 @@
+// What a careful person would say about a fit before anyone uses its numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/result.hpp"
+
+namespace compare {
+
+/// What is known of the curve beside the fit. NaN: not known.
+struct FitContext {
+  double a_A = not_known;
+  double bending_eV = not_known;      ///< κ of the sheet; NaN where it has none or it is not known
+  double radius_error_A = not_known;  ///< by which the clamp radius may be off
+  double longest_bond_A = not_known;  ///< of the points fitted
+  int artefact_points = 0;            ///< left out
+};
+
+/// Sentences, most serious first; none for a fit without reproach.
+std::vector<std::string> fit_warnings(const Fit& fit, const FitContext& context);
+
+/// Sets the warnings of every fit of a result; call when biases and direct fits are there.
+void add_warnings(Result& result);
+
+}  // namespace compare

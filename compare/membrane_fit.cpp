@@ -1,0 +1,138 @@
+#include "compare/membrane_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+#include "compare/curve.hpp"
+#include "compare/fit.hpp"
+#include "compare/models/list.hpp"
+#include "membrane/problem.hpp"
+
+namespace compare {
+namespace {
+
+/// Controlled depths, in equal ratios, whose depths of record enclose the given ones: the conjugate depth is
+/// the smaller of the two, by half of it at most.
+std::vector<double> levels_around(const std::vector<double>& depth) {
+  constexpr int count = 16;
+  const double low = 0.5 * std::ranges::min(depth), high = 1.02 * std::ranges::max(depth);
+  std::vector<double> levels;
+  for (int i = 0; i < count; ++i) levels.push_back(low * std::pow(high / low, i / (count - 1.0)));
+  return levels;
+}
+
+membrane::Problem problem_of(const MembraneTip& tip, double Eh, double pretension,
+                             const std::vector<double>& depth) {
+  membrane::Problem problem;
+  problem.sheet.radius_A = tip.a_A;
+  problem.law = membrane::StVenantKirchhoff{Eh, tip.nu};
+  problem.prestress_eV_per_A2 = pretension * Eigen::Matrix2d::Identity();
+  problem.load =
+      tip.tip_A > 0 ? membrane::Load(membrane::DiscLoad{tip.tip_A}) : membrane::Load(membrane::PointLoad{});
+  problem.record_radius_A = tip.record_radius_A;
+  problem.levels = levels_around(depth);
+  return problem;
+}
+
+AnyCurveModel shallow_model(const MembraneTip& tip) {
+  return closed_form("foeppl", "").make({tip.a_A, tip.nu, tip.tip_A, 0});
+}
+
+/// Force of the membrane over force of the shallow one, interpolated in the depth: close to 1 and smooth.
+class ForceRatio {
+ public:
+  ForceRatio(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
+             const AnyCurveModel& shallow)
+      : curve_(ratios(tip, Eh, pretension, depth, shallow)) {}
+
+  double at(double depth) const {
+    const auto ratio = curve_.at(std::clamp(depth, curve_.lowest_A(), curve_.highest_A()));
+    return ratio.value_or(1);
+  }
+
+ private:
+  static Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
+                      const AnyCurveModel& shallow) {
+    const double parameters[] = {Eh, pretension};
+    std::vector<double> at, ratio;
+    const membrane::Report report =
+        membrane::solve(problem_of(tip, Eh, pretension, depth), [&](const membrane::Step& step) {
+          at.push_back(step.depth_A);
+          ratio.push_back(step.force_eV_per_A / shallow.value(step.depth_A, parameters));
+          return true;
+        });
+    if (!report.converged) throw std::runtime_error("the membrane did not converge: " + report.reason);
+    return Curve(at, ratio);
+  }
+
+  Curve curve_;
+};
+
+AnyCurveModel scaled(const AnyCurveModel& shallow, const ForceRatio& ratio) {
+  return {shallow.parameter_count,
+          [&](double d, std::span<const double> p) { return ratio.at(d) * shallow.value(d, p); },
+          [&](double d, std::span<const double> p, std::span<double> g) {
+            shallow.gradient(d, p, g);
+            for (double& component : g) component *= ratio.at(d);
+          }};
+}
+
+double rms(const std::vector<double>& residuals) {
+  double squares = 0;
+  for (const double r : residuals) squares += r * r;
+  return std::sqrt(squares / static_cast<double>(residuals.size()));
+}
+
+}  // namespace
+
+std::vector<double> membrane_forces(const MembraneTip& tip, double Eh, double pretension,
+                                    const std::vector<double>& depth) {
+  const AnyCurveModel shallow = shallow_model(tip);
+  const ForceRatio ratio(tip, Eh, pretension, depth, shallow);
+  const double parameters[] = {Eh, pretension};
+  std::vector<double> force;
+  for (const double d : depth) force.push_back(ratio.at(d) * shallow.value(d, parameters));
+  return force;
+}
+
+MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth,
+                               const std::vector<double>& force, const std::vector<double>& sigma) {
+  constexpr int most_curves = 20;
+  constexpr double same = 1e-6;
+  MembraneFitReport result;
+  LeastSquaresOptions options;
+  for (const double s : sigma) options.weights.push_back(1 / (s * s));
+  try {
+    const AnyCurveModel shallow = shallow_model(tip);
+    const auto deepest = static_cast<std::size_t>(std::ranges::max_element(depth) - depth.begin());
+    std::vector<double> parameters = {1, 0};
+    parameters[0] = force[deepest] / shallow.value(depth[deepest], parameters);
+    LeastSquaresReport fit = least_squares(shallow, depth, force, parameters, options);
+    for (result.iterations = 1; fit.converged && result.iterations <= most_curves; ++result.iterations) {
+      parameters = fit.parameters;
+      // A sheet with less than no tension everywhere has no flat state to start from.
+      const ForceRatio ratio(tip, parameters[0], std::max(parameters[1], 0.0), depth, shallow);
+      fit = least_squares(scaled(shallow, ratio), depth, force, parameters, options);
+      if (!fit.converged) break;
+      const double largest = std::max(std::abs(fit.parameters[1]), 1e-3 * fit.standard_errors[1]);
+      if (std::abs(fit.parameters[0] - parameters[0]) > same * fit.parameters[0]) continue;
+      if (std::abs(fit.parameters[1] - parameters[1]) > same * largest + 1e-9 * fit.parameters[0]) continue;
+      result.converged = true;
+      break;
+    }
+    if (!result.converged) {
+      result.reason = fit.converged ? "E·h and pretension did not settle" : fit.reason;
+      return result;
+    }
+    result.fit = {fit.parameters[0], fit.standard_errors[0], fit.parameters[1], fit.standard_errors[1],
+                  rms(fit.residuals) / std::ranges::max(force)};
+    result.residual_eV_per_A = fit.residuals;
+  } catch (const std::exception& problem) {
+    result.reason = problem.what();
+  }
+  return result;
+}
+
+}  // namespace compare

@@ -1,0 +1,101 @@
+// The membrane itself fitted to synthetic curves whose E·h and pretension are known.
+#include "compare/membrane_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <variant>
+
+#include "compare/models/eq16.hpp"
+#include "compare/models/list.hpp"
+#include "compare/run_fit.hpp"
+#include "compare/units.hpp"
+
+using namespace compare;
+
+namespace {
+
+// A graphene drum of 0.5 µm radius (Lee et al., Science 321 (2008) 385: 342 N/m).
+constexpr double Eh_N_per_m = 342;
+
+std::vector<double> depths() {
+  std::vector<double> d;
+  for (int i = 1; i <= 20; ++i) d.push_back(50.0 * i);
+  return d;
+}
+
+struct Synthetic {
+  const char* name;
+  double tip_A, pretension_N_per_m;
+};
+
+class Drum : public testing::TestWithParam<Synthetic> {};
+
+TEST_P(Drum, GivesBackItsConstants) {
+  const Synthetic& asked = GetParam();
+  const MembraneTip tip{5000, 0.165, asked.tip_A, 0};
+  const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2,
+               pretension = asked.pretension_N_per_m / N_per_m_per_eV_per_A2;
+  const auto d = depths();
+  const auto force = membrane_forces(tip, Eh, pretension, d);
+
+  const MembraneFitReport direct = fit_membrane(tip, d, force, {});
+  ASSERT_TRUE(direct.converged) << direct.reason;
+  EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / Eh, 1, 5e-4);
+  EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / pretension, 1, 5e-3);
+  EXPECT_LE(direct.iterations, 6);
+
+  // Eq. 16 does not: 24 to 44 % of the pretension are missing, or for the largest tip E·h is too high.
+  const auto eq16 = std::get<Fit>(fit_curve(any_model(Eq16{5000, 0.165}), d, force));
+  EXPECT_GT(std::abs(eq16.pretension_eV_per_A2 / pretension - 1), 0.15);
+  EXPECT_LT(eq16.rms_relative, 0.005) << "and the residuals do not show it";
+}
+
+INSTANTIATE_TEST_SUITE_P(Curves, Drum,
+                         testing::Values(Synthetic{"point_007", 0, 0.07}, Synthetic{"point_034", 0, 0.34},
+                                         Synthetic{"point_074", 0, 0.74}, Synthetic{"disc_007", 165, 0.07},
+                                         Synthetic{"disc_034", 165, 0.34}, Synthetic{"disc_074", 165, 0.74}),
+                         [](const auto& test) { return test.param.name; });
+
+// The curve is made by the shallow closed form, which the finite elements know nothing of: at depths of up to
+// 0.1 of the radius both are the same theory to a few parts in 10⁴, so this is not a model fitted to itself.
+TEST(MembraneFit, AgreesWithTheShallowTheoryWhereThatHolds) {
+  const MembraneTip tip{5000, 0.165, 165, 0};
+  const double truth[] = {Eh_N_per_m / N_per_m_per_eV_per_A2, 0.34 / N_per_m_per_eV_per_A2};
+  const AnyCurveModel shallow = closed_form("foeppl", "").make({5000, 0.165, 165, 0});
+  std::vector<double> d, f;
+  for (int i = 1; i <= 20; ++i) {
+    d.push_back(25.0 * i);
+    f.push_back(shallow.value(d.back(), truth));
+  }
+  const MembraneFitReport direct = fit_membrane(tip, d, f, {});
+  ASSERT_TRUE(direct.converged) << direct.reason;
+  EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / truth[0], 1, 5e-3);
+  EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / truth[1], 1, 5e-3);
+}
+
+TEST(MembraneFit, NoiseWidensTheErrorsNotTheTruth) {
+  const MembraneTip tip{5000, 0.165, 165, 0};
+  const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = 0.34 / N_per_m_per_eV_per_A2;
+  const auto d = depths();
+  auto force = membrane_forces(tip, Eh, pretension, d);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 2 / nN_per_eV_per_A);
+  for (double& f : force) f += noise(random);
+  const MembraneFitReport direct = fit_membrane(tip, d, force, {});
+  ASSERT_TRUE(direct.converged) << direct.reason;
+  EXPECT_LT(std::abs(direct.fit.Eh_eV_per_A2 - Eh), 4 * direct.fit.Eh_stderr_eV_per_A2);
+  EXPECT_LT(std::abs(direct.fit.pretension_eV_per_A2 - pretension),
+            4 * direct.fit.pretension_stderr_eV_per_A2);
+  EXPECT_GT(direct.fit.Eh_stderr_eV_per_A2, 1e-4 * Eh);
+}
+
+TEST(MembraneFit, SaysWhyItFails) {
+  const MembraneTip tip{5000, 0.165, 165, 0};
+  const MembraneFitReport two = fit_membrane(tip, {10, 20}, {1, 2}, {});
+  EXPECT_FALSE(two.converged);
+  EXPECT_EQ(two.reason, "2 points for 2 parameters");
+}
+
+}  // namespace
