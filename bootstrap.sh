@@ -31,6 +31,7 @@ ninja-build
 nlohmann-json3-dev
 openmpi-bin
 pkg-config
+python3-h5py
 '
 
 usage() {
@@ -66,7 +67,7 @@ Install these by your system's own means, then run: cmake --preset release && cm
   LAMMPS as a shared library with MPI, packages MANYBODY and KSPACE, and its potential files
   Open MPI or another MPI with mpiexec
   Eigen 3.4, SuiteSparse (CHOLMOD), OpenBLAS, GSL 2.7, HDF5 (C library)
-  OpenSSL (libcrypto), CLI11, toml++ 3, fmt, spdlog, nlohmann-json; for the tests GoogleTest and valijson
+  OpenSSL (libcrypto), CLI11, toml++ 3, fmt, spdlog, nlohmann-json; for the tests GoogleTest, valijson and h5py
   gnuplot with pngcairo and the DejaVu fonts
 TXT
   exit 2

@@ -15,4 +15,9 @@ namespace compare {
 /// curve is missing or does not cover the window.
 void judge(Result& result);
 
+/// Sets `comparisons`: for each load with an atomistic and a like-for-like membrane run, the ratios at every converged
+/// depth of the atoms that the membrane's curve covers, and the regimes by the case's tolerance: bending (ratio above
+/// 1 + tolerance, before any smaller one), softening (below 1 − tolerance), artefact (longest bond), membrane between.
+void compare_curves(Result& result);
+
 }  // namespace compare

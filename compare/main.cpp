@@ -13,8 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/commands/figure.hpp"
+#include "compare/commands/fit.hpp"
 #include "compare/commands/flags.hpp"
 #include "compare/commands/indentation.hpp"
+#include "compare/commands/model.hpp"
+#include "compare/commands/report.hpp"
 #include "compare/errors.hpp"
 #include "compare/nearest.hpp"
 #include "compare/provenance.hpp"
@@ -30,7 +34,11 @@ struct Command {
 
 // Every command of the program.
 constexpr std::array commands = {
+    Command{"figure", compare::add_figure},
+    Command{"fit", compare::add_fit},
     Command{"indentation", compare::add_indentation},
+    Command{"model", compare::add_model},
+    Command{"report", compare::add_report},
 };
 
 int fail(ExitCode code, std::string_view message) {
@@ -67,6 +75,14 @@ std::string extras_message(const CLI::App& app) {
   if (chosen.empty()) {
     return fmt::format("unknown flag '{}' before the command; use validate COMMAND {} …, commands: {}", word,
                        word, fmt::join(command_names(), ", "));
+  }
+  const auto parts = chosen.front()->get_subcommands([](const CLI::App*) { return true; });
+  if (!word.starts_with('-') && !parts.empty()) {
+    std::vector<std::string> owned;
+    for (const CLI::App* part : parts) owned.push_back(part->get_name());
+    const std::vector<std::string_view> names(owned.begin(), owned.end());
+    return fmt::format("unknown {} '{}'; allowed: {}{}", chosen.front()->get_name(), word, fmt::join(owned, ", "),
+                       compare::did_you_mean(word, names));
   }
   if (!word.starts_with('-'))
     return fmt::format("unexpected argument '{}'; a value belongs to a --flag", word);

@@ -42,6 +42,20 @@ std::string_view to_string(Ended ended) {
   return "";
 }
 
+std::string_view to_string(Regime regime) {
+  switch (regime) {
+    case Regime::bending:
+      return "bending";
+    case Regime::membrane:
+      return "membrane";
+    case Regime::softening:
+      return "softening";
+    case Regime::artefact:
+      return "artefact";
+  }
+  return "";
+}
+
 std::string_view to_string(const std::optional<Ended>& ended) { return ended ? to_string(*ended) : "failed"; }
 
 namespace {

@@ -124,6 +124,23 @@ struct Agreement {
   std::vector<double> depth_A, ratio;  ///< the points judged, F_atoms / F_continuum
 };
 
+/// Where a sheet of atoms is, beside the like-for-like membrane at the same depth.
+enum class Regime { bending, membrane, softening, artefact };
+
+std::string_view to_string(Regime);
+
+/// One load's atoms against the like-for-like membrane, at every depth that both have. Ratios are atoms / membrane: force
+/// and energy at equal depth, depth at equal force.
+struct Comparison {
+  std::string load;
+  std::vector<double> depth_A, depth_relative, force_ratio, depth_ratio, energy_ratio;
+  std::vector<Regime> regime;
+
+  /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 − tolerance,
+  /// longest bond in the artefact zone.
+  double bending_to_A = not_known, softening_from_A = not_known, artefact_from_A = not_known;
+};
+
 struct SheetSummary {
   double radius_A = 0, effective_radius_A = 0;
   int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
@@ -152,6 +169,7 @@ struct Result {
   std::vector<Run> runs;
   std::optional<Agreement> agreement;
   std::string agreement_skipped;  ///< why there is no verdict
+  std::vector<Comparison> comparisons;  ///< one per load that both models computed
   Timing timing;
   Provenance provenance;
 };

@@ -165,6 +165,29 @@ void describe_points(Self& agreement, Visitor&& visit) {
 }
 
 template <class Self, class Visitor>
+requires SameStruct<Self, Comparison>
+void describe(Self& comparison, Visitor&& visit) {
+  visit(Field{"load", unit::none, "load of both curves"}, comparison.load);
+  visit(Field{"bending_to", unit::length, "up to this depth the force ratio is above 1 + tolerance"},
+        comparison.bending_to_A);
+  visit(Field{"softening_from", unit::length, "from this depth the force ratio is below 1 − tolerance"},
+        comparison.softening_from_A);
+  visit(Field{"artefact_from", unit::length, "first depth in the potential's artefact zone"}, comparison.artefact_from_A);
+}
+
+/// One value per depth compared.
+template <class Self, class Visitor>
+requires SameStruct<Self, Comparison>
+void describe_points(Self& comparison, Visitor&& visit) {
+  visit(Field{"depth", unit::length, "atoms' depth of record"}, comparison.depth_A);
+  visit(Field{"depth_relative", unit::none, "the same over the effective radius"}, comparison.depth_relative);
+  visit(Field{"force_ratio", unit::none, "F_atoms / F_membrane at this depth"}, comparison.force_ratio);
+  visit(Field{"depth_ratio", unit::none, "d_atoms / d_membrane at the atoms' force"}, comparison.depth_ratio);
+  visit(Field{"energy_ratio", unit::none, "W_atoms / W_membrane at this depth"}, comparison.energy_ratio);
+  visit(Field{"regime", unit::none, "bending, membrane, softening or artefact"}, comparison.regime);
+}
+
+template <class Self, class Visitor>
 requires SameStruct<Self, SheetSummary>
 void describe(Self& sheet, Visitor&& visit) {
   visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);

@@ -21,7 +21,9 @@ std::vector<double> weights_of(const std::vector<double>& force, const CurveFitO
   std::vector<double> weights;
   if (options.weighting == Weighting::uniform) return weights;
   const std::vector<double>& spread = options.weighting == Weighting::sigma ? options.sigma_eV_per_A : force;
-  for (const double s : spread) weights.push_back(1 / (s * s));
+  // A force that happens to be near zero must not outweigh all others.
+  const double floor = options.weighting == Weighting::relative ? 0.01 * std::ranges::max(force) : 0;
+  for (const double s : spread) weights.push_back(1 / std::pow(std::max(std::abs(s), floor), 2));
   return weights;
 }
 

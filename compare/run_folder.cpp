@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 /// What a run leaves in its folder, and so may be replaced by the next one; anything else there is the user's.
 bool is_run_file(const std::string& name) {
   constexpr std::string_view names[] = {"run.h5",     "curves.csv", "summary.json", "figure.svg",
-                                        "figure.png", "lammps.log", "work"};
+                                        "figure.png", "window_scan.svg", "window_scan.png",
+                                        "report.html", "lammps.log", "work"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
          (name.starts_with("atoms-") && name.ends_with(".extxyz"));
 }

@@ -275,6 +275,7 @@ class Study {
     add_direct_fits(result);
     add_warnings(result);
     judge(result);
+    compare_curves(result);
   }
 
   const Case& case_;

@@ -122,13 +122,50 @@ CaseFlags::CaseFlags(CLI::App& command) : command_(command) {
   describe(defaults, AddFlag{command});
 }
 
-void CaseFlags::apply(Case& c, Origins& origins) const {
+namespace {
+
+/// The variant's text for a field, if it has one.
+const std::optional<std::string>& text_for(const Field& field, const Variant& variant) {
+  static const std::optional<std::string> none;
+  return field.name == "potential" ? variant.potential : field.name == "radius" ? variant.radius : none;
+}
+
+void read_text(const Field& field, const std::string& text, double& value) {
+  value = parse_number(field, text, flag_of(field));
+}
+void read_text(const Field& field, const std::string& text, std::string& value) {
+  value = parse_text(field, text, flag_of(field));
+}
+template <class Other>
+void read_text(const Field&, const std::string&, Other&) {}  // no list of these makes a batch
+
+}  // namespace
+
+void CaseFlags::apply(Case& c, Origins& origins, const Variant& variant) const {
   describe(c, [&](const Field& field, auto& value) {
     const CLI::Option& option = *command_.get_option(flag_of(field));
     if (option.count() == 0) return;
-    read(field, option, value);
+    if (const auto& text = text_for(field, variant)) {
+      read_text(field, *text, value);
+    } else {
+      read(field, option, value);
+    }
     origins[std::string(field.name)] = flag_of(field);
   });
+}
+
+std::vector<Variant> CaseFlags::variants() const {
+  const auto list = [&](const char* flag) -> std::vector<std::optional<std::string>> {
+    const CLI::Option& option = *command_.get_option(flag);
+    if (option.count() != 1 || option.results().front().find(',') == std::string::npos) return {std::nullopt};
+    std::vector<std::optional<std::string>> parts;
+    for (const std::string& part : parts_of(option)) parts.emplace_back(part);
+    return parts;
+  };
+  std::vector<Variant> all;
+  for (const auto& potential : list("--potential"))
+    for (const auto& radius : list("--radius")) all.push_back({potential, radius});
+  return all;
 }
 
 void add_run_options(CLI::App& command, RunOptions& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,11 @@
 
 namespace compare {
 
+/// One case of a batch: the texts that stand for the lists given to --potential and --radius.
+struct Variant {
+  std::optional<std::string> potential, radius;
+};
+
 /// The flags of a case. Lives as long as the command that it was added to.
 class CaseFlags {
  public:
@@ -18,7 +24,11 @@ class CaseFlags {
 
   /// Overwrites the fields whose flags were given and adds "--flag" as their origin.
   /// Throws Error (bad input) that names the flag, the value and what is allowed.
-  void apply(Case&, Origins&) const;
+  void apply(Case&, Origins&, const Variant& = {}) const;
+
+  /// What --potential and --radius, separated by commas, ask for: every potential with every radius. One empty variant
+  /// where neither is a list.
+  std::vector<Variant> variants() const;
 
  private:
   const CLI::App& command_;

@@ -2,10 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "compare/case_file.hpp"
+#include "compare/commands/batch.hpp"
 #include "compare/commands/flags.hpp"
 #include "compare/commands/run_indentation.hpp"
 #include "compare/paths.hpp"
@@ -21,22 +25,69 @@ Flags win over the case file.
 Examples:
   validate indentation --radius 110
   validate indentation --potential tersoff --radius 60 --loads disc --out runs/tersoff
+  validate indentation --potential airebo,rebo,tersoff,lcbop --radius 60,110   # a batch, one folder per case
   validate indentation --models membrane --radius "0.5 um" --E "1.0209 TPa" --thickness "0.335 nm" --nu 0.165 \
       --pretension "0.34 N/m" --loads disc --tip-radius "1 nm" --depth-step "5 nm")";
 
-int indentation(const CaseFlags& flags, const RunOptions& options) {
-  check(options);
+struct ReadCase {
   Case c;
+  std::optional<PotentialFile> potential;
+};
+
+ReadCase read(const CaseFlags& flags, const RunOptions& options, const Variant& variant) {
+  ReadCase result;
+  Case& c = result.c;
   Origins origins = options.case_file ? read_case(*options.case_file, c, "--case")
                                       : read_case(inputs_folder() / "indentation.toml", c);
-  flags.apply(c, origins);
+  flags.apply(c, origins, variant);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
+  if (!has_given_constants(c))
+    result.potential = read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
+  return result;
+}
 
-  std::optional<PotentialFile> potential;
-  if (!has_given_constants(c)) {
-    potential = read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
+/// Flags that a case of a batch gets from the batch itself.
+bool is_batch_flag(const std::string& name) {
+  constexpr std::string_view own[] = {"--help",      "--potential", "--radius",  "--out",    "--json",
+                                      "--overwrite", "--resume",    "--dry-run", "--quiet"};
+  return std::find(std::begin(own), std::end(own), name) != std::end(own);
+}
+
+/// The flags given, as words for another start of this program.
+std::vector<std::string> common_words(const CLI::App& command) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || is_batch_flag(name)) continue;
+    words.push_back(name);
+    if (option->get_items_expected_max() > 0) words.push_back(fmt::format("{}", fmt::join(option->results(), ",")));
   }
-  return run_indentation(c, options, potential);
+  return words;
+}
+
+/// The variant's text, or the one that all cases share.
+void add_word(std::vector<std::string>& words, const CLI::App& command, const char* flag,
+              const std::optional<std::string>& text) {
+  const CLI::Option& option = *command.get_option(flag);
+  if (option.count() > 0) words.insert(words.end(), {flag, text ? *text : option.results().front()});
+}
+
+int indentation(const CLI::App& command, const CaseFlags& flags, const RunOptions& options) {
+  check(options);
+  const std::vector<Variant> variants = flags.variants();
+  if (variants.size() == 1) {
+    const ReadCase one = read(flags, options, variants.front());
+    return run_indentation(one.c, options, one.potential);
+  }
+  std::vector<BatchCase> cases;
+  for (const Variant& variant : variants) {  // every case is checked before the first one starts
+    const ReadCase one = read(flags, options, variant);
+    BatchCase entry{one.c.potential, one.c.radius_A, {}};
+    add_word(entry.words, command, "--potential", variant.potential);
+    add_word(entry.words, command, "--radius", variant.radius);
+    cases.push_back(std::move(entry));
+  }
+  return run_batch(cases, common_words(command), options);
 }
 
 }  // namespace
@@ -47,7 +98,7 @@ void add_indentation(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<RunOptions>();
   add_run_options(*command, *options);
   command->footer(examples);
-  command->callback([flags, options, &exit_code] { exit_code = indentation(*flags, *options); });
+  command->callback([command, flags, options, &exit_code] { exit_code = indentation(*command, *flags, *options); });
 }
 
 }  // namespace compare

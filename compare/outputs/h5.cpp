@@ -141,6 +141,12 @@ Object Group::data_set(std::string_view name, const std::vector<bool>& values) {
   return Object(write_data_set(handle_.get(), name, bool_type().get(), bytes.size(), bytes.data()));
 }
 
+Object Group::data_set(std::string_view name, std::span<const std::string> values) {
+  std::vector<const char*> texts;
+  for (const std::string& value : values) texts.push_back(value.c_str());
+  return Object(write_data_set(handle_.get(), name, text_type().get(), texts.size(), texts.data()));
+}
+
 File::File(const std::filesystem::path& path)
     : file_(create_file(path)),
       root_(checked(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "root group")) {}

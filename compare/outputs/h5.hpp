@@ -64,6 +64,7 @@ class Group : public Object {
   Object data_set(std::string_view name, std::span<const double> values);
   Object data_set(std::string_view name, std::span<const int> values);
   Object data_set(std::string_view name, const std::vector<bool>& values);
+  Object data_set(std::string_view name, std::span<const std::string> values);
 };
 
 /// A new file. close() reports what a destructor could not; every other object of the file must be gone by

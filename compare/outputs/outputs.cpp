@@ -9,6 +9,7 @@
 
 #include "compare/outputs/curves_csv.hpp"
 #include "compare/outputs/figure.hpp"
+#include "compare/outputs/report_html.hpp"
 #include "compare/outputs/run_h5.hpp"
 #include "compare/outputs/summary_json.hpp"
 
@@ -22,8 +23,12 @@ void figure(const Result& result, const std::filesystem::path& folder) {
   if (const auto warning = write_figure(result, folder)) spdlog::warn("{}", *warning);
 }
 
+void scan(const Result& result, const std::filesystem::path& folder) {
+  if (const auto warning = write_scan_figure(result, folder)) spdlog::warn("{}", *warning);
+}
+
 // Numbers first, pictures last.
-constexpr Write documents[] = {write_run_h5, write_curves, write_summary, figure};
+constexpr Write documents[] = {write_run_h5, write_curves, write_summary, figure, scan, write_report_in};
 
 }  // namespace
 

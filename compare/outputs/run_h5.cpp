@@ -58,10 +58,21 @@ h5::Group write_group(h5::Group& parent, std::string_view name, const Struct& de
   return group;
 }
 
+template <class Values>
+h5::Object write_column(h5::Group& group, const std::string& name, const Values& values) {
+  if constexpr (std::is_enum_v<typename Values::value_type>) {
+    std::vector<std::string> texts;
+    for (const auto value : values) texts.emplace_back(to_string(value));
+    return group.data_set(name, texts);
+  } else {
+    return group.data_set(name, values);
+  }
+}
+
 template <class Struct>
 void write_columns(h5::Group& group, const Struct& described) {
   describe_points(described, [&group](const Field& field, const auto& values) {
-    h5::Object set = group.data_set(key(field), values);
+    h5::Object set = write_column(group, key(field), values);
     set.attribute("unit", field.unit);
     set.attribute("meaning", field.meaning);
   });
@@ -95,6 +106,11 @@ void write_result(h5::Group& root, const Result& result) {
     write_columns(agreement, *result.agreement);
   } else {
     root.attribute("agreement_skipped", result.agreement_skipped);
+  }
+  h5::Group comparisons = root.group("comparison");
+  for (std::size_t i = 0; i < result.comparisons.size(); ++i) {
+    h5::Group one = write_group(comparisons, fmt::format("{}", i), result.comparisons[i]);
+    write_columns(one, result.comparisons[i]);
   }
   write_group(root, "timing", result.timing);
   write_group(root, "provenance", result.provenance);

@@ -21,6 +21,7 @@ Json to_json_value(const std::string& value) { return value.empty() ? Json(nullp
 Json to_json_value(Model value) { return to_string(value); }
 Json to_json_value(Constants value) { return to_string(value); }
 Json to_json_value(Ended value) { return to_string(value); }
+Json to_json_value(Regime value) { return to_string(value); }
 
 template <class T>
 Json to_json_value(const std::optional<T>& value) {
@@ -110,6 +111,11 @@ nlohmann::ordered_json summary_document(const Result& result) {
   for (const Run& run : result.runs) document["runs"].push_back(run_object(run));
   document["agreement"] = result.agreement ? agreement_object(*result.agreement) : Json(nullptr);
   if (!result.agreement) document["agreement_skipped"] = to_json_value(result.agreement_skipped);
+  document["comparison"] = Json::array();
+  for (const Comparison& comparison : result.comparisons) {
+    document["comparison"].push_back(object_of(comparison));
+    describe_points(comparison, AddTo(document["comparison"].back()));
+  }
   document["timing"] = object_of(result.timing);
   document["provenance"] = object_of(result.provenance);
   return document;

@@ -149,6 +149,27 @@ std::string worst_point(const Agreement& agreement) {
                      agreement.ratio[static_cast<std::size_t>(worst)]);
 }
 
+// Where the atoms follow the membrane, and why not elsewhere.
+void add_regimes(std::string& text, const Result& result) {
+  for (const Comparison& c : result.comparisons) {
+    if (c.depth_A.empty()) continue;
+    const double largest = c.depth_A.back();
+    const double bending = std::isfinite(c.bending_to_A) ? c.bending_to_A : 0;
+    const double softening = std::isfinite(c.softening_from_A) ? c.softening_from_A : largest;
+    std::string more;
+    if (std::isfinite(c.softening_from_A)) more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
+    if (std::isfinite(c.artefact_from_A)) more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
+    if (c.regime.back() == Regime::bending) {
+      sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", c.load,
+               1 + result.resolved.tolerance, more);
+    } else {
+      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}", c.load,
+               bending, softening, 100 * result.resolved.tolerance, more);
+    }
+  }
+  if (!result.comparisons.empty()) text += '\n';
+}
+
 void add_verdict(std::string& text, const Result& result, bool colour) {
   if (!result.agreement) {
     sentence(text, "No verdict: {}.",
@@ -191,6 +212,7 @@ std::string table(const Result& result, bool colour) {
   const std::size_t before_notes = text.size();
   for (const Run& run : result.runs) add_notes(text, run);
   if (text.size() > before_notes) text += '\n';
+  add_regimes(text, result);
   add_verdict(text, result, colour);
   return text;
 }

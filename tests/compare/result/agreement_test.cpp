@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace compare;
@@ -128,6 +129,39 @@ TEST(Agreement, AMembraneThatDoesNotCoverTheDepthsGivesNoVerdict) {
             "the membrane's curve covers depths from 1.00 to 13.00 Å, not the atoms' 15.00 Å");
   result.runs[1].constants = Constants::paper;  // not like for like
   EXPECT_EQ(reason_for(result), "there is no membrane (card constants) run of the disc load");
+}
+
+TEST(Comparison, GivesRatiosAndRegimesPerDepth) {
+  compare::Run stiff = atoms({5, 10, 15, 20, 25}, {1.30, 1.10, 1.00, 0.90, 0.80});
+  stiff.artefact.back() = true;
+  for (std::size_t i = 0; i < 5; ++i) stiff.energy_eV.push_back(1.5 * std::pow(stiff.depth_A[i], 4));
+  compare::Run twin = membrane();
+  for (const double d : twin.depth_A) twin.energy_eV.push_back(std::pow(d, 4));
+  Result result;
+  result.runs = {stiff, twin};
+  result.resolved.tolerance = 0.06;
+  compare_curves(result);
+  ASSERT_EQ(result.comparisons.size(), 1u);
+  const Comparison& c = result.comparisons.front();
+  ASSERT_EQ(c.depth_A.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double ratio = std::array{1.30, 1.10, 1.00, 0.90, 0.80}[i];
+    EXPECT_NEAR(c.force_ratio[i], ratio, 1e-9);
+    EXPECT_NEAR(c.energy_ratio[i], 1.5, 1e-9);
+    EXPECT_NEAR(c.depth_ratio[i], 1 / std::cbrt(ratio), 1e-9);  // F ∝ d³
+    EXPECT_NEAR(c.depth_relative[i], c.depth_A[i] / 100, 1e-12);
+  }
+  EXPECT_EQ(c.regime, (std::vector{Regime::bending, Regime::bending, Regime::membrane, Regime::softening, Regime::artefact}));
+  EXPECT_NEAR(c.bending_to_A, 12, 1e-6);       // 1.10 → 1.00 passes 1.06 at 2/5 of the way
+  EXPECT_NEAR(c.softening_from_A, 18, 1e-6);   // 1.00 → 0.90 passes 0.94 at 3/5
+  EXPECT_EQ(c.artefact_from_A, 25);
+}
+
+TEST(Comparison, NeedsBothCurves) {
+  Result result;
+  result.runs = {membrane()};
+  compare_curves(result);
+  EXPECT_TRUE(result.comparisons.empty());
 }
 
 }  // namespace

@@ -113,7 +113,9 @@ Result full() {
   result.runs = {atomistic_run("point", 1.10, 0.0145),          atomistic_run("disc", 1.45, 0.0095),
                  membrane_run("point", Constants::card, 1.08),  membrane_run("disc", Constants::card, 1.45),
                  membrane_run("point", Constants::paper, 0.96), membrane_run("disc", Constants::paper, 1.35)};
+  add_biases(result);
   judge(result);
+  compare_curves(result);
   result.timing = {.wall_s = 51,
                    .membrane_s = 2,
                    .atomistic_s = 48,

@@ -1,0 +1,115 @@
+// Figure 1: suspended graphene of the experiment (Lee et al., Science 321 (2008) 385), as the membrane and as Eq. 16.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "compare/curve.hpp"
+#include "compare/figures/paper_figure.hpp"
+#include "compare/membrane_fit.hpp"
+#include "compare/models/eq16.hpp"
+#include "compare/run_fit.hpp"
+#include "compare/units.hpp"
+
+namespace compare {
+namespace {
+
+constexpr double nu = 0.165, Eh_N_per_m = 342, Eh_spread_N_per_m = 30, pretension_N_per_m = 0.34;
+constexpr double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = pretension_N_per_m / N_per_m_per_eV_per_A2;
+constexpr double nm = 10;  // Å
+constexpr int points = 24;
+
+std::vector<double> depths(double a) {
+  std::vector<double> d;
+  for (int i = 1; i <= points; ++i) d.push_back(0.24 * a * i / points);
+  return d;
+}
+
+std::vector<double> times(std::vector<double> values, double factor) {
+  for (double& v : values) v *= factor;
+  return values;
+}
+
+FigureCurve eq16_band(double a) {
+  FigureCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", Eh_N_per_m, Eh_spread_N_per_m), .x = {}, .y = {}, .y_high = {},
+                   .style = "filledcurves fc rgb '#bbbbbb' fs solid 0.5 noborder"};
+  const double spread = Eh_spread_N_per_m / N_per_m_per_eV_per_A2;
+  for (const double d : depths(a)) {
+    band.x.push_back(d / nm);
+    band.y.push_back(nN_per_eV_per_A * Eq16{a, nu}.force(d, Eh - spread, pretension));
+    band.y_high.push_back(nN_per_eV_per_A * Eq16{a, nu}.force(d, Eh + spread, pretension));
+  }
+  return band;
+}
+
+std::vector<double> eq16_forces(double a) {
+  std::vector<double> force;
+  for (const double d : depths(a)) force.push_back(Eq16{a, nu}.force(d, Eh, pretension));
+  return force;
+}
+
+double depth_at(const std::vector<double>& depth, const std::vector<double>& force, double wanted_nN) {
+  return Curve(force, depth).at(wanted_nN / nN_per_eV_per_A).value_or(NAN) / nm;
+}
+
+struct Tip {
+  double radius_A;
+  const char* name;
+  const char* style;
+};
+
+/// A point is a disc of 1e-4 of the radius: a finer mesh changes nothing then.
+std::vector<Tip> tips(double a) {
+  return {{1e-4 * a, "membrane, point", "lines lc rgb '#0072B2' lw 2"},
+          {16.5 * nm, "membrane, disc of 16.5 nm", "lines lc rgb '#D55E00' lw 2"},
+          {27.5 * nm, "membrane, disc of 27.5 nm", "lines lc rgb '#009E73' lw 2 dt '-'"}};
+}
+
+void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, const std::vector<double>& force) {
+  CurveFitOptions plain;
+  plain.bootstrap_samples = 0;
+  const auto found = fit_curve(any_model(Eq16{a, nu}), depths(a), force, plain);
+  const auto* fit = std::get_if<Fit>(&found);
+  if (!fit) return;
+  const std::string where = fmt::format("a = {:g} µm, Eq. 16 fitted to {}", a / 1e4, tip.name);
+  const std::string source = "Lee et al. 2008, averages";
+  figure.numbers.push_back({where + ": E·h", "N/m", source, Eh_N_per_m, fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+                            "the membrane has 342 N/m; a tip of finite size is read as a stiffer sheet"});
+  figure.numbers.push_back({where + ": pretension", "N/m", source, pretension_N_per_m,
+                            fit->pretension_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+                            "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
+}
+
+FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
+  FigurePanel panel{.title = fmt::format("a = {:g} µm", a / 1e4), .x_label = "depth (nm)", .y_label = "force (nN)", .x_key = "depth_nm",
+                    .y_key = "force_nN", .settings = "set xrange [0:*]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',10'\n",
+                    .curves = {}};
+  panel.curves.push_back(eq16_band(a));
+  panel.curves.push_back({"Eq. 16, averages", times(depths(a), 1 / nm), times(eq16_forces(a), nN_per_eV_per_A), {}, "lines lc rgb 'black' lw 1"});
+  const double reference_nm[] = {103.37, 97.58};
+  int index = 0;
+  for (const Tip& tip : tips(a)) {
+    context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
+    const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0}, Eh, pretension, depths(a));
+    panel.curves.push_back({tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
+    if (a == 5000 && index < 2)
+      figure.numbers.push_back({fmt::format("a = 0.5 µm, {}: depth at 1500 nN", tip.name), "nm",
+                                "one-dimensional solver written separately", reference_nm[index], depth_at(depths(a), force, 1500), 1e-3, ""});
+    ++index;
+    compare_with_experiment(figure, a, tip, force);
+  }
+  if (a == 5000)
+    figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64, depth_at(depths(a), eq16_forces(a), 1500), 1e-3, ""});
+  return panel;
+}
+
+}  // namespace
+
+PaperFigure figure1(const FigureContext& context) {
+  PaperFigure figure{.number = 1, .title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165", .panels = {}, .numbers = {}};
+  for (const double a : {5000.0, 7500.0}) figure.panels.push_back(panel(a, figure, context));
+  return figure;
+}
+
+}  // namespace compare

@@ -1,0 +1,69 @@
+// A figure of the paper as data: curves in panels, and the numbers to compare with.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "compare/progress.hpp"
+
+namespace compare {
+
+struct FigureCurve {
+  std::string name;            ///< in the legend and in the data files
+  std::vector<double> x, y;
+  std::vector<double> y_high;  ///< with it a band from y to y_high
+  std::string style;           ///< gnuplot's, behind "with"
+};
+
+struct FigurePanel {
+  std::string title, x_label, y_label;
+  std::string x_key, y_key;  ///< names with units for the data files: depth_nm, force_nN
+  std::string settings;      ///< more gnuplot settings: ranges, objects
+  std::vector<FigureCurve> curves;
+};
+
+/// A published number, or one computed with codes written separately, beside ours.
+struct FigureNumber {
+  std::string what, unit, source;
+  double reference = 0, ours = 0;
+  double tolerance = 0;  ///< relative; 0: a difference that is the point of the figure
+  std::string comment;   ///< where they differ, why
+};
+
+/// Whether ours is within the tolerance; true where none is asked.
+bool passes(const FigureNumber& number);
+
+struct PaperFigure {
+  int number = 0;
+  std::string title;
+  std::vector<FigurePanel> panels;
+  std::vector<FigureNumber> numbers;
+};
+
+/// What making a figure may use.
+struct FigureContext {
+  std::filesystem::path work;           ///< an existing folder for intermediate files, removed afterwards
+  std::vector<std::string> potentials;  ///< for the atoms
+  Progress& progress;
+};
+
+PaperFigure figure1(const FigureContext&);
+PaperFigure figure2(const FigureContext&);
+
+/// Every figure that can be made. A further one is a file here, a function and a line in the list.
+struct FigureEntry {
+  int number;
+  const char* what;
+  PaperFigure (*make)(const FigureContext&);
+};
+const std::vector<FigureEntry>& paper_figures();
+
+/// The numbers as a table.
+std::string numbers_text(const PaperFigure& figure);
+
+/// Writes figureN.svg, .png, .csv and .h5 into an existing folder. Throws Error (file failed).
+void write_paper_figure(const PaperFigure& figure, const std::filesystem::path& folder);
+
+}  // namespace compare

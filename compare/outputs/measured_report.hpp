@@ -1,0 +1,25 @@
+// What `validate fit` prints, draws and writes.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/measured_fit.hpp"
+
+namespace compare {
+
+/// One block per curve: the numbers with their errors, bias, correction, membrane, warnings.
+std::string measured_text(const MeasuredResult& result, const MeasuredOptions& options);
+
+/// All curves of a command. Keys end in their unit; fits as in summary.json.
+nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results, const MeasuredOptions& options,
+                                         const std::string& command_line);
+
+/// fit-<name>.svg and .png: data with both fits, residuals, window scan. Returns what the user should know, if anything.
+std::optional<std::string> draw_measured(const MeasuredResult& result, const MeasuredOptions& options,
+                                         const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace compare

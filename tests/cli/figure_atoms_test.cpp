@@ -1,0 +1,14 @@
+// The paper's figure with atoms: minutes.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/run_program.hpp"
+
+TEST(FigureWithAtoms, TwoIsMade) {
+  const cli_tests::WorkFolder folder;
+  const auto outcome = cli_tests::run_validate({"figure", "2", "--potential", "tersoff", "--out", "f", "--quiet"}, folder.path());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  for (const char* ending : {"svg", "png", "csv", "h5"})
+    EXPECT_GT(std::filesystem::file_size(folder.path() / "f" / (std::string("figure2.") + ending)), 5000u) << ending;
+}
