@@ -15,7 +15,7 @@ struct FitContext {
   double radius_error_A = not_known;  ///< by which the clamp radius may be off
   double longest_bond_A = not_known;  ///< of the points fitted
   int artefact_points = 0;            ///< left out
-  bool tip_assumed_a_point = false;  ///< nothing is known of the size of the tip
+  bool tip_assumed_a_point = false;   ///< nothing is known of the size of the tip
 };
 
 /// Sentences, most serious first; none for a fit without reproach.

@@ -47,7 +47,8 @@ char separator_of(const std::string& header) {
 
 /// One of the unit in base units, if the text is a unit of that quantity.
 std::optional<double> unit_in_base(std::string text, std::string_view base) {
-  for (auto at = text.find("_per_"); at != std::string::npos; at = text.find("_per_")) text.replace(at, 5, "/");
+  for (auto at = text.find("_per_"); at != std::string::npos; at = text.find("_per_"))
+    text.replace(at, 5, "/");
   if (text.empty()) return std::nullopt;
   try {
     return parse_quantity("1 " + text, base, "");
@@ -66,17 +67,20 @@ Heading heading(const std::string& cell, std::string_view base) {
   for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}}) {
     const auto from = cell.find(open), to = cell.rfind(close);
     if (from == std::string::npos || to == std::string::npos || to < from) continue;
-    return {cell, trimmed(cell.substr(0, from)), unit_in_base(trimmed(cell.substr(from + 1, to - from - 1)), base)};
+    return {cell, trimmed(cell.substr(0, from)),
+            unit_in_base(trimmed(cell.substr(from + 1, to - from - 1)), base)};
   }
   for (const char mark : {'_', ' ', '/'}) {
     for (auto at = cell.find(mark); at != std::string::npos; at = cell.find(mark, at + 1))
-      if (const auto factor = unit_in_base(trimmed(cell.substr(at + 1)), base)) return {cell, trimmed(cell.substr(0, at)), factor};
+      if (const auto factor = unit_in_base(trimmed(cell.substr(at + 1)), base))
+        return {cell, trimmed(cell.substr(0, at)), factor};
   }
   return {cell, cell, std::nullopt};
 }
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -86,7 +90,8 @@ struct Purpose {
   std::array<std::string_view, 4> names;
 };
 
-constexpr Purpose depth_column{"--depth-column", unit::length, "depth_nm", {"depth", "indentation", "displacement", "deflection"}};
+constexpr Purpose depth_column{
+    "--depth-column", unit::length, "depth_nm", {"depth", "indentation", "displacement", "deflection"}};
 constexpr Purpose force_column{"--force-column", unit::force, "force_nN", {"force", "load", "f", ""}};
 constexpr Purpose sigma_column{"--sigma-column", unit::force, "sigma_nN", {"sigma", "error", "stddev", ""}};
 
@@ -109,7 +114,8 @@ class Table {
         rows_.push_back({number, split(content, separator)});
       }
     }
-    if (header_.cells.empty()) throw bad_input("{}: the file is empty; expected a header such as depth_nm,force_nN", file.string());
+    if (header_.cells.empty())
+      throw bad_input("{}: the file is empty; expected a header such as depth_nm,force_nN", file.string());
   }
 
   const std::map<std::string, std::string>& remarks() const { return remarks_; }
@@ -119,7 +125,9 @@ class Table {
     if (!choice.empty()) return chosen(purpose, choice);
     for (std::size_t i = 0; i < header_.cells.size(); ++i) {
       const std::string name = lower(heading(header_.cells[i], purpose.base).name);
-      if (std::ranges::any_of(purpose.names, [&](std::string_view n) { return !n.empty() && (name == n || (n.size() > 1 && name.starts_with(n))); }))
+      if (std::ranges::any_of(purpose.names, [&](std::string_view n) {
+            return !n.empty() && (name == n || (n.size() > 1 && name.starts_with(n)));
+          }))
         return i;
     }
     return std::nullopt;
@@ -127,8 +135,9 @@ class Table {
 
   std::size_t need(const Purpose& purpose, const std::string& choice) const {
     if (const auto index = find(purpose, choice)) return *index;
-    throw bad_input("{}:{}: no column for {} among: {}; name it like {}, or choose one with {}", file_.string(),
-                    header_.number, purpose.names[0], fmt::join(header_.cells, ", "), purpose.example, purpose.flag);
+    throw bad_input("{}:{}: no column for {} among: {}; name it like {}, or choose one with {}",
+                    file_.string(), header_.number, purpose.names[0], fmt::join(header_.cells, ", "),
+                    purpose.example, purpose.flag);
   }
 
   std::vector<double> column(std::size_t index, const Purpose& purpose) const {
@@ -146,7 +155,8 @@ class Table {
  private:
   void remark(const std::string& line) {
     const auto colon = line.find(':');
-    if (colon != std::string::npos) remarks_[lower(trimmed(line.substr(1, colon - 1)))] = trimmed(line.substr(colon + 1));
+    if (colon != std::string::npos)
+      remarks_[lower(trimmed(line.substr(1, colon - 1)))] = trimmed(line.substr(colon + 1));
   }
 
   std::size_t chosen(const Purpose& purpose, const std::string& choice) const {
@@ -154,7 +164,8 @@ class Table {
     const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), index);
     if (error == std::errc{} && end == choice.data() + choice.size()) {
       if (index >= 1 && index <= header_.cells.size()) return index - 1;
-      throw bad_input("{}: there is no column {} in {}; it has {}", purpose.flag, choice, file_.string(), header_.cells.size());
+      throw bad_input("{}: there is no column {} in {}; it has {}", purpose.flag, choice, file_.string(),
+                      header_.cells.size());
     }
     for (std::size_t i = 0; i < header_.cells.size(); ++i)
       if (header_.cells[i] == choice || heading(header_.cells[i], purpose.base).name == choice) return i;
@@ -172,7 +183,8 @@ class Table {
     const char* const first = cell.data() + (cell.starts_with('+') ? 1 : 0);
     const auto [end, error] = std::from_chars(first, cell.data() + cell.size(), value);
     if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value))
-      throw bad_input("{}:{}: '{}' in column '{}' is not a number", file_.string(), row.number, cell, header_.cells[index]);
+      throw bad_input("{}:{}: '{}' in column '{}' is not a number", file_.string(), row.number, cell,
+                      header_.cells[index]);
     return value;
   }
 
@@ -189,7 +201,8 @@ MeasuredCurve read_measured(const std::filesystem::path& file, const ColumnChoic
   MeasuredCurve curve;
   curve.file = file;
   curve.remarks = table.remarks();
-  const std::size_t depth = table.need(depth_column, choice.depth), force = table.need(force_column, choice.force);
+  const std::size_t depth = table.need(depth_column, choice.depth),
+                    force = table.need(force_column, choice.force);
   curve.depth_A = table.column(depth, depth_column);
   curve.force_eV_per_A = table.column(force, force_column);
   curve.depth_column = table.name(depth);
@@ -198,7 +211,8 @@ MeasuredCurve read_measured(const std::filesystem::path& file, const ColumnChoic
     curve.sigma_eV_per_A = table.column(*sigma, sigma_column);
     curve.sigma_column = table.name(*sigma);
     if (!std::ranges::all_of(curve.sigma_eV_per_A, [](double s) { return s > 0; }))
-      throw bad_input("{}: column '{}' holds a standard deviation that is not > 0", file.string(), curve.sigma_column);
+      throw bad_input("{}: column '{}' holds a standard deviation that is not > 0", file.string(),
+                      curve.sigma_column);
   }
   return curve;
 }

@@ -33,7 +33,7 @@ struct MeasuredResult {
   double baseline_eV_per_A = 0;                 ///< taken off
   Fit fit;
   WindowScan scan;
-  std::string direct_skipped;       ///< why not
+  std::string direct_skipped;  ///< why not
   std::vector<double> direct_force_eV_per_A;
 };
 

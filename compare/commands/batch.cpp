@@ -29,7 +29,9 @@ using Json = nlohmann::ordered_json;
 
 fs::path batch_folder(const RunOptions& options) {
   if (options.out) return fs::absolute(*options.out);
-  const auto numbered = [](int n) { return fs::path("runs") / (n == 1 ? "indentation-batch" : fmt::format("indentation-batch-{}", n)); };
+  const auto numbered = [](int n) {
+    return fs::path("runs") / (n == 1 ? "indentation-batch" : fmt::format("indentation-batch-{}", n));
+  };
   int n = 1;
   while (fs::exists(numbered(n))) ++n;
   return fs::absolute(numbered(options.resume && n > 1 ? n - 1 : n));
@@ -39,7 +41,9 @@ std::string case_name(const BatchCase& c) {
   return fmt::format("{}-R{:g}", fs::path(c.potential).stem().string(), c.radius_A);
 }
 
-bool is_finished(const fs::path& folder) { return fs::exists(folder / "summary.json") && !fs::exists(folder / "work"); }
+bool is_finished(const fs::path& folder) {
+  return fs::exists(folder / "summary.json") && !fs::exists(folder / "work");
+}
 
 bool is_batch(const fs::path& folder) {
   std::ifstream in(folder / "batch.json");
@@ -49,13 +53,17 @@ bool is_batch(const fs::path& folder) {
 void prepare(const fs::path& folder, const std::vector<BatchCase>& cases, const RunOptions& options) {
   const bool exists = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
   if (exists && !is_batch(folder))
-    throw bad_input("--out: '{}' exists and does not hold a batch of this program; choose another folder", folder.string());
+    throw bad_input("--out: '{}' exists and does not hold a batch of this program; choose another folder",
+                    folder.string());
   if (exists && !options.resume && !options.overwrite)
-    throw bad_input("--out: '{}' holds a batch; --resume goes on with it, --overwrite starts again", folder.string());
+    throw bad_input("--out: '{}' holds a batch; --resume goes on with it, --overwrite starts again",
+                    folder.string());
   if (!exists && options.resume) throw bad_input("--resume: '{}' holds no batch", folder.string());
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", folder.string(), error.message()));
+  if (error)
+    throw Error(ExitCode::file_failed,
+                fmt::format("cannot create '{}': {}", folder.string(), error.message()));
   Json list = Json::array();
   for (const BatchCase& c : cases) list.push_back(case_name(c));
   write_file(folder / "batch.json", Json{{"schema", summary_schema}, {"cases", list}}.dump(1) + "\n");
@@ -99,8 +107,13 @@ struct RunningCase {
 
 class Batch {
  public:
-  Batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common, const RunOptions& options)
-      : cases_(cases), common_(common), options_(options), folder_(batch_folder(options)), progress_(options.quiet) {
+  Batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
+        const RunOptions& options)
+      : cases_(cases),
+        common_(common),
+        options_(options),
+        folder_(batch_folder(options)),
+        progress_(options.quiet) {
     prepare(folder_, cases, options);
     exit_codes_.assign(cases.size(), 0);
     for (const int core : cores()) free_cores_.insert(core);
@@ -134,7 +147,9 @@ class Batch {
     const int core = *free_cores_.begin();
     free_cores_.erase(core);
     const OnOneCore only(core);
-    running_.push_back({index, core, ChildProcess({words, fs::current_path(), folder_ / (case_name(cases_[index]) + ".log")})});
+    running_.push_back(
+        {index, core,
+         ChildProcess({words, fs::current_path(), folder_ / (case_name(cases_[index]) + ".log")})});
     progress_.say(fmt::format("{}: started", case_name(cases_[index])));
   }
 
@@ -145,7 +160,8 @@ class Batch {
     ::poll(descriptors.data(), descriptors.size(), 1000);
     if (interrupted()) {
       for (RunningCase& c : running_) c.child.stop();
-      throw Error(ExitCode::interrupted, fmt::format("interrupted; continue with --resume --out '{}'", folder_.string()));
+      throw Error(ExitCode::interrupted,
+                  fmt::format("interrupted; continue with --resume --out '{}'", folder_.string()));
     }
     for (RunningCase& c : running_) {
       pollfd one{c.child.output(), POLLIN, 0};
@@ -156,7 +172,8 @@ class Batch {
       const ChildEnd end = c.child.wait();
       exit_codes_[c.index] = end.signal ? 128 + end.signal : end.exit_code;
       free_cores_.insert(c.core);
-      progress_.say(fmt::format("{}: ended with exit code {}", case_name(cases_[c.index]), exit_codes_[c.index]));
+      progress_.say(
+          fmt::format("{}: ended with exit code {}", case_name(cases_[c.index]), exit_codes_[c.index]));
       return true;
     });
   }
@@ -165,7 +182,9 @@ class Batch {
   static int stored_exit_code(const fs::path& folder) {
     const Json summary = read(folder);
     const auto& agreement = summary.value("agreement", Json(nullptr));
-    return agreement.is_object() && !agreement.value("passed", true) ? static_cast<int>(ExitCode::disagreement) : 0;
+    return agreement.is_object() && !agreement.value("passed", true)
+               ? static_cast<int>(ExitCode::disagreement)
+               : 0;
   }
 
   static Json read(const fs::path& folder) {
@@ -176,8 +195,10 @@ class Batch {
   int finish() {
     Json document{{"schema", summary_schema}, {"cases", Json::array()}};
     for (std::size_t i = 0; i < cases_.size(); ++i)
-      document["cases"].push_back({{"potential", cases_[i].potential}, {"radius_A", cases_[i].radius_A},
-                                   {"folder", case_name(cases_[i])}, {"exit_code", exit_codes_[i]},
+      document["cases"].push_back({{"potential", cases_[i].potential},
+                                   {"radius_A", cases_[i].radius_A},
+                                   {"folder", case_name(cases_[i])},
+                                   {"exit_code", exit_codes_[i]},
                                    {"summary", read(folder_of(i))}});
     const std::string text = document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     write_file(folder_ / "summary.json", text);
@@ -192,15 +213,17 @@ class Batch {
   }
 
   static std::string table(const Json& document) {
-    std::string text = fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}  {}\n", "potential", "R", "card", "load",
-                                   "Eq. 16 E·h", "corrected", "membrane", "pretension", "largest", "verdict");
-    text += fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}\n", "", "Å", "N/m", "", "N/m ± error", "N/m",
-                        "itself N/m", "N/m ± error", "diff. %");
+    std::string text =
+        fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}  {}\n", "potential", "R", "card",
+                    "load", "Eq. 16 E·h", "corrected", "membrane", "pretension", "largest", "verdict");
+    text += fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}\n", "", "Å", "N/m", "",
+                        "N/m ± error", "N/m", "itself N/m", "N/m ± error", "diff. %");
     for (const Json& entry : document["cases"]) {
       const Json& summary = entry["summary"];
       if (!summary.is_object()) {
-        text += fmt::format("{:<14}{:>7g}  failed, exit code {}: see {}.log\n", entry["potential"].get<std::string>(),
-                            entry["radius_A"].get<double>(), entry["exit_code"].get<int>(), entry["folder"].get<std::string>());
+        text += fmt::format("{:<14}{:>7g}  failed, exit code {}: see {}.log\n",
+                            entry["potential"].get<std::string>(), entry["radius_A"].get<double>(),
+                            entry["exit_code"].get<int>(), entry["folder"].get<std::string>());
         continue;
       }
       for (const Json& run : summary["runs"])
@@ -211,14 +234,19 @@ class Batch {
 
   static std::string row(const Json& entry, const Json& summary, const Json& run) {
     const Json null, &agreement = summary["agreement"], &fit = run["fit"];
-    const auto of = [&](const Json& object, const char* name) { return object.is_object() ? object.value(name, null) : null; };
+    const auto of = [&](const Json& object, const char* name) {
+      return object.is_object() ? object.value(name, null) : null;
+    };
     const bool judged = agreement.is_object() && agreement["load"] == run["load"];
     return fmt::format(
-        "{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}  {}\n", fs::path(entry["potential"].get<std::string>()).stem().string(),
-        cell(entry["radius_A"], 1, "{:g}"), cell(of(summary["card"], "Eh_N_per_m"), 1, "{:.1f}"), run["load"].get<std::string>(),
+        "{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}  {}\n",
+        fs::path(entry["potential"].get<std::string>()).stem().string(), cell(entry["radius_A"], 1, "{:g}"),
+        cell(of(summary["card"], "Eh_N_per_m"), 1, "{:.1f}"), run["load"].get<std::string>(),
         cell(of(fit, "Eh_N_per_m"), 1, "{:.1f}") + " ± " + cell(of(fit, "Eh_stderr_N_per_m"), 1, "{:.1f}"),
-        cell(of(of(fit, "bias"), "Eh_corrected_N_per_m"), 1, "{:.1f}"), cell(of(of(fit, "direct"), "Eh_N_per_m"), 1, "{:.1f}"),
-        cell(of(fit, "pretension_N_per_m"), 1, "{:.3f}") + " ± " + cell(of(fit, "pretension_stderr_N_per_m"), 1, "{:.3f}"),
+        cell(of(of(fit, "bias"), "Eh_corrected_N_per_m"), 1, "{:.1f}"),
+        cell(of(of(fit, "direct"), "Eh_N_per_m"), 1, "{:.1f}"),
+        cell(of(fit, "pretension_N_per_m"), 1, "{:.3f}") + " ± " +
+            cell(of(fit, "pretension_stderr_N_per_m"), 1, "{:.3f}"),
         judged ? cell(agreement["max_relative_difference"], 100, "{:.2f}") : "",
         judged ? (agreement["passed"].get<bool>() ? "agreement" : "disagreement") : "");
   }
@@ -235,10 +263,12 @@ class Batch {
 
 }  // namespace
 
-int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common, const RunOptions& options) {
+int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
+              const RunOptions& options) {
   std::set<std::string> names;
   for (const BatchCase& c : cases)
-    if (!names.insert(case_name(c)).second) throw bad_input("--potential, --radius: {} is named twice", case_name(c));
+    if (!names.insert(case_name(c)).second)
+      throw bad_input("--potential, --radius: {} is named twice", case_name(c));
   if (options.dry_run) {
     for (const BatchCase& c : cases) fmt::print("{}\n", case_name(c));
     return 0;

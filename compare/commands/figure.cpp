@@ -42,7 +42,9 @@ int figure(const FigureFlags& flags) {
   const fs::path folder = fs::absolute(flags.out), work = folder / "work";
   std::error_code error;
   fs::create_directories(work, error);
-  if (error) throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
+  if (error)
+    throw Error(ExitCode::file_failed,
+                fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
   Progress progress(flags.quiet);
   bool all_pass = true;
   for (const FigureEntry& entry : entries) {
@@ -68,7 +70,9 @@ void add_figure(CLI::App& app, int& exit_code) {
   }
   command->add_option("which", flags->which, list)->required()->type_name("N");
   command->add_option("--out", flags->out, "folder; default figures")->type_name("DIR");
-  command->add_option("--potential", flags->potentials, "for the atoms; default airebo,rebo,tersoff")->delimiter(',')->type_name("NAME,...");
+  command->add_option("--potential", flags->potentials, "for the atoms; default airebo,rebo,tersoff")
+      ->delimiter(',')
+      ->type_name("NAME,...");
   command->add_flag("--quiet", flags->quiet, "no progress on stderr");
   command->footer(footer + "\nExample:\n  validate figure 1 --out figures");
   command->callback([flags, &exit_code] { exit_code = figure(*flags); });

@@ -52,30 +52,39 @@ Given given(const std::string& flag, const std::string& value, const MeasuredCur
 
 double need(const Field& field, const Given& value) {
   if (value.text.empty())
-    throw bad_input("{}: is needed: {}, as a flag or as a remark '# {}: …' in the file", value.label, field.meaning, field.name);
+    throw bad_input("{}: is needed: {}, as a flag or as a remark '# {}: …' in the file", value.label,
+                    field.meaning, field.name);
   return parse_number(field, value.text, value.label);
 }
 
 double optional_length(const char* name, const std::string& text, Range range, double otherwise) {
-  return text.empty() ? otherwise : parse_number(Field{name, unit::length, "", range}, text, fmt::format("--{}", name));
+  return text.empty() ? otherwise
+                      : parse_number(Field{name, unit::length, "", range}, text, fmt::format("--{}", name));
 }
 
 Weighting weighting(const std::string& name) {
   const std::string chosen = parse_text(Field{.name = "weights", .choices = weight_names}, name, "--weights");
-  return chosen == "relative" ? Weighting::relative : chosen == "sigma" ? Weighting::sigma : Weighting::uniform;
+  return chosen == "relative" ? Weighting::relative
+         : chosen == "sigma"  ? Weighting::sigma
+                              : Weighting::uniform;
 }
 
 MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve) {
   MeasuredOptions o;
-  o.geometry.a_A = need(Field{"radius", unit::length, "radius of the suspended sheet", positive()}, given("radius", flags.radius, curve));
-  o.geometry.nu = need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, given("nu", flags.nu, curve));
+  o.geometry.a_A = need(Field{"radius", unit::length, "radius of the suspended sheet", positive()},
+                        given("radius", flags.radius, curve));
+  o.geometry.nu =
+      need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, given("nu", flags.nu, curve));
   const Given tip = given("tip-radius", flags.tip_radius, curve);
   if (!tip.text.empty())
-    o.geometry.tip_A = parse_number(Field{"tip-radius", unit::length, "", not_negative()}, tip.text, tip.label);
+    o.geometry.tip_A =
+        parse_number(Field{"tip-radius", unit::length, "", not_negative()}, tip.text, tip.label);
   if (!(o.geometry.tip_A < o.geometry.a_A))
-    throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, o.geometry.tip_A, o.geometry.a_A);
+    throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, o.geometry.tip_A,
+                    o.geometry.a_A);
   if (!flags.bending.empty())
-    o.geometry.bending_eV = parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
+    o.geometry.bending_eV =
+        parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
   o.model = flags.model;
   const ClosedForm& form = closed_form(o.model, "--model");
   if (form.pressure) throw bad_input("--model: '{}' gives a pressure, not a force", o.model);
@@ -104,14 +113,17 @@ fs::path output_folder(const std::string& out) {
   const fs::path folder = out.empty() ? fs::current_path() : fs::path(out);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", out, error.message()));
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", out, error.message()));
   return folder;
 }
 
 void write_document(const nlohmann::ordered_json& document, const std::string& target) {
-  const std::string text = document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  const std::string text =
+      document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (target != "-") return write_file(target, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw Error(ExitCode::file_failed, "cannot write to stdout");
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
+    throw Error(ExitCode::file_failed, "cannot write to stdout");
 }
 
 int fit(const FitFlags& flags) {
@@ -124,13 +136,16 @@ int fit(const FitFlags& flags) {
     results.push_back(evaluate(std::move(curve), options.back()));
   }
   if (flags.json != "-")
-    for (std::size_t i = 0; i < results.size(); ++i) fmt::print("{}\n", measured_text(results[i], options[i]));
-  if (!flags.json.empty()) write_document(measured_document(results, options.front(), command_line()), flags.json);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      fmt::print("{}\n", measured_text(results[i], options[i]));
+  if (!flags.json.empty())
+    write_document(measured_document(results, options.front(), command_line()), flags.json);
   if (flags.out.empty()) return 0;
   const fs::path folder = output_folder(flags.out);
   std::set<std::string> taken;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (const auto warning = draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
+    if (const auto warning =
+            draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
       spdlog::warn("{}", *warning);
   write_document(measured_document(results, options.front(), command_line()), (folder / "fit.json").string());
   return 0;
@@ -151,7 +166,8 @@ void add_fit(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("fit", "E·h and pretension of measured force-depth curves");
   const auto flags = std::make_shared<FitFlags>();
   command->add_option("files", flags->files, "CSV files")->required()->type_name("FILE");
-  const auto text = [&](const char* name, std::string& value, const char* meaning, const char* type = "VALUE") {
+  const auto text = [&](const char* name, std::string& value, const char* meaning,
+                        const char* type = "VALUE") {
     command->add_option(name, value, meaning)->type_name(type);
   };
   text("--radius", flags->radius, "radius of the suspended sheet; > 0 Å");
@@ -159,7 +175,8 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--tip-radius", flags->tip_radius, "radius of the loaded disc (or sphere); 0 is a point; default 0");
   text("--bending", flags->bending, "bending modulus in eV, for the model plate and the warnings", "NUMBER");
   text("--model", flags->model, "closed form to fit; default eq16", "NAME");
-  text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform", "NAME");
+  text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform",
+       "NAME");
   text("--depth-column", flags->depth_column, "header or number of the depth column", "NAME");
   text("--force-column", flags->force_column, "header or number of the force column", "NAME");
   text("--sigma-column", flags->sigma_column, "header or number of the forces' standard deviations", "NAME");
@@ -169,7 +186,8 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--contact", flags->contact, "depth of the contact point, or 'fit' to find it; default 0");
   command->add_flag("--fit-force-zero", flags->fit_force_zero, "the zero of force is one more parameter");
   command->add_option("--bootstrap", flags->bootstrap, "refits to drawn residuals; 0 to 100000; default 500")
-      ->type_name("N")->check(CLI::Range(0, 100000).description(""));
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000).description(""));
   command->add_option("--seed", flags->seed, "of the draws; default 1")->type_name("N");
   text("--out", flags->out, "folder for plots and fit.json; default: none", "DIR");
   text("--json", flags->json, "write the numbers there; - is stdout", "FILE");

@@ -42,13 +42,14 @@ ReadCase read(const CaseFlags& flags, const RunOptions& options, const Variant& 
   flags.apply(c, origins, variant);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
   if (!has_given_constants(c))
-    result.potential = read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
+    result.potential =
+        read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
   return result;
 }
 
 /// Flags that a case of a batch gets from the batch itself.
 bool is_batch_flag(const std::string& name) {
-  constexpr std::string_view own[] = {"--help",      "--potential", "--radius",  "--out",    "--json",
+  constexpr std::string_view own[] = {"--help",      "--potential", "--radius",  "--out",  "--json",
                                       "--overwrite", "--resume",    "--dry-run", "--quiet"};
   return std::find(std::begin(own), std::end(own), name) != std::end(own);
 }
@@ -60,7 +61,8 @@ std::vector<std::string> common_words(const CLI::App& command) {
     const std::string name = option->get_name();
     if (option->count() == 0 || is_batch_flag(name)) continue;
     words.push_back(name);
-    if (option->get_items_expected_max() > 0) words.push_back(fmt::format("{}", fmt::join(option->results(), ",")));
+    if (option->get_items_expected_max() > 0)
+      words.push_back(fmt::format("{}", fmt::join(option->results(), ",")));
   }
   return words;
 }
@@ -98,7 +100,8 @@ void add_indentation(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<RunOptions>();
   add_run_options(*command, *options);
   command->footer(examples);
-  command->callback([command, flags, options, &exit_code] { exit_code = indentation(*command, *flags, *options); });
+  command->callback(
+      [command, flags, options, &exit_code] { exit_code = indentation(*command, *flags, *options); });
 }
 
 }  // namespace compare

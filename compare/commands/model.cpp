@@ -20,7 +20,8 @@ struct ModelFlags {
 };
 
 std::string description(const ClosedForm& form) {
-  return fmt::format("{}\n  {}\n  holds for: {}\n  source: {}\n", form.name, form.formula, form.validity, form.source);
+  return fmt::format("{}\n  {}\n  holds for: {}\n  source: {}\n", form.name, form.formula, form.validity,
+                     form.source);
 }
 
 double number(const char* name, std::string_view base, Range range, const std::string& text) {
@@ -43,15 +44,18 @@ void evaluate(const ClosedForm& form, const ModelFlags& flags) {
                                number("nu", unit::none, between(-1, 1), flags.nu),
                                number("tip-radius", unit::length, not_negative(), flags.tip_radius),
                                number("bending", unit::none, not_negative(), flags.bending)};
-  if (form.tip == TipShape::sphere && geometry.tip_A == 0) throw bad_input("--tip-radius: is needed by '{}'", form.name);
-  if (form.name == "tip-pretension" && geometry.tip_A == 0) throw bad_input("--tip-radius: is needed by '{}'", form.name);
+  if (form.tip == TipShape::sphere && geometry.tip_A == 0)
+    throw bad_input("--tip-radius: is needed by '{}'", form.name);
+  if (form.name == "tip-pretension" && geometry.tip_A == 0)
+    throw bad_input("--tip-radius: is needed by '{}'", form.name);
   const double parameters[] = {number("Eh", unit::membrane_force, positive(), flags.Eh),
                                number("pretension", unit::membrane_force, not_negative(), flags.pretension)};
   const AnyCurveModel model = form.make(geometry);
   fmt::print("{}", form.pressure ? "depth_nm,pressure_MPa\n" : "depth_nm,force_nN\n");
   for (const double depth : depths_of(flags.depths)) {
     const double value = model.value(depth, parameters);
-    fmt::print("{:.6g},{:.6g}\n", depth / 10, form.pressure ? 1e3 * GPa_per_eV_per_A3 * value : nN_per_eV_per_A * value);
+    fmt::print("{:.6g},{:.6g}\n", depth / 10,
+               form.pressure ? 1e3 * GPa_per_eV_per_A3 * value : nN_per_eV_per_A * value);
   }
 }
 
@@ -59,9 +63,10 @@ void evaluate(const ClosedForm& form, const ModelFlags& flags) {
 
 void add_model(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("model", "closed-form models: formula, validity, source, values");
-  command->footer("Examples:\n  validate model\n  validate model foeppl --help\n"
-                  "  validate model foeppl --radius \"0.5 um\" --nu 0.165 --tip-radius \"16.5 nm\" --Eh \"342 N/m\" "
-                  "--pretension \"0.34 N/m\" --depths \"20 nm,50 nm,100 nm\"");
+  command->footer(
+      "Examples:\n  validate model\n  validate model foeppl --help\n"
+      "  validate model foeppl --radius \"0.5 um\" --nu 0.165 --tip-radius \"16.5 nm\" --Eh \"342 N/m\" "
+      "--pretension \"0.34 N/m\" --depths \"20 nm,50 nm,100 nm\"");
   for (const ClosedForm& form : closed_forms()) {
     CLI::App* one = command->add_subcommand(std::string(form.name), std::string(form.formula));
     const auto flags = std::make_shared<ModelFlags>();

@@ -1,4 +1,5 @@
-// Figure 1: suspended graphene of the experiment (Lee et al., Science 321 (2008) 385), as the membrane and as Eq. 16.
+// Figure 1: suspended graphene of the experiment (Lee et al., Science 321 (2008) 385), as the membrane and as
+// Eq. 16.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace compare {
 namespace {
 
 constexpr double nu = 0.165, Eh_N_per_m = 342, Eh_spread_N_per_m = 30, pretension_N_per_m = 0.34;
-constexpr double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = pretension_N_per_m / N_per_m_per_eV_per_A2;
+constexpr double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2,
+                 pretension = pretension_N_per_m / N_per_m_per_eV_per_A2;
 constexpr double nm = 10;  // Å
 constexpr int points = 24;
 
@@ -32,7 +34,10 @@ std::vector<double> times(std::vector<double> values, double factor) {
 }
 
 FigureCurve eq16_band(double a) {
-  FigureCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", Eh_N_per_m, Eh_spread_N_per_m), .x = {}, .y = {}, .y_high = {},
+  FigureCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", Eh_N_per_m, Eh_spread_N_per_m),
+                   .x = {},
+                   .y = {},
+                   .y_high = {},
                    .style = "filledcurves fc rgb '#bbbbbb' fs solid 0.5 noborder"};
   const double spread = Eh_spread_N_per_m / N_per_m_per_eV_per_A2;
   for (const double d : depths(a)) {
@@ -66,7 +71,8 @@ std::vector<Tip> tips(double a) {
           {27.5 * nm, "membrane, disc of 27.5 nm", "lines lc rgb '#009E73' lw 2 dt '-'"}};
 }
 
-void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, const std::vector<double>& force) {
+void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip,
+                             const std::vector<double>& force) {
   CurveFitOptions plain;
   plain.bootstrap_samples = 0;
   const auto found = fit_curve(any_model(Eq16{a, nu}), depths(a), force, plain);
@@ -74,40 +80,58 @@ void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, cons
   if (!fit) return;
   const std::string where = fmt::format("a = {:g} µm, Eq. 16 fitted to {}", a / 1e4, tip.name);
   const std::string source = "Lee et al. 2008, averages";
-  figure.numbers.push_back({where + ": E·h", "N/m", source, Eh_N_per_m, fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+  figure.numbers.push_back({where + ": E·h", "N/m", source, Eh_N_per_m,
+                            fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
                             "the membrane has 342 N/m; a tip of finite size is read as a stiffer sheet"});
-  figure.numbers.push_back({where + ": pretension", "N/m", source, pretension_N_per_m,
-                            fit->pretension_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
-                            "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
+  figure.numbers.push_back(
+      {where + ": pretension", "N/m", source, pretension_N_per_m,
+       fit->pretension_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+       "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
 }
 
 FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
-  FigurePanel panel{.title = fmt::format("a = {:g} µm", a / 1e4), .x_label = "depth (nm)", .y_label = "force (nN)", .x_key = "depth_nm",
-                    .y_key = "force_nN", .settings = "set xrange [0:*]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',10'\n",
-                    .curves = {}};
+  FigurePanel panel{
+      .title = fmt::format("a = {:g} µm", a / 1e4),
+      .x_label = "depth (nm)",
+      .y_label = "force (nN)",
+      .x_key = "depth_nm",
+      .y_key = "force_nN",
+      .settings =
+          "set xrange [0:*]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',10'\n",
+      .curves = {}};
   panel.curves.push_back(eq16_band(a));
-  panel.curves.push_back({"Eq. 16, averages", times(depths(a), 1 / nm), times(eq16_forces(a), nN_per_eV_per_A), {}, "lines lc rgb 'black' lw 1"});
+  panel.curves.push_back({"Eq. 16, averages",
+                          times(depths(a), 1 / nm),
+                          times(eq16_forces(a), nN_per_eV_per_A),
+                          {},
+                          "lines lc rgb 'black' lw 1"});
   const double reference_nm[] = {103.37, 97.58};
   int index = 0;
   for (const Tip& tip : tips(a)) {
     context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
     const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0}, Eh, pretension, depths(a));
-    panel.curves.push_back({tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
+    panel.curves.push_back(
+        {tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
     if (a == 5000 && index < 2)
       figure.numbers.push_back({fmt::format("a = 0.5 µm, {}: depth at 1500 nN", tip.name), "nm",
-                                "one-dimensional solver written separately", reference_nm[index], depth_at(depths(a), force, 1500), 1e-3, ""});
+                                "one-dimensional solver written separately", reference_nm[index],
+                                depth_at(depths(a), force, 1500), 1e-3, ""});
     ++index;
     compare_with_experiment(figure, a, tip, force);
   }
   if (a == 5000)
-    figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64, depth_at(depths(a), eq16_forces(a), 1500), 1e-3, ""});
+    figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64,
+                              depth_at(depths(a), eq16_forces(a), 1500), 1e-3, ""});
   return panel;
 }
 
 }  // namespace
 
 PaperFigure figure1(const FigureContext& context) {
-  PaperFigure figure{.number = 1, .title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165", .panels = {}, .numbers = {}};
+  PaperFigure figure{.number = 1,
+                     .title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165",
+                     .panels = {},
+                     .numbers = {}};
   for (const double a : {5000.0, 7500.0}) figure.panels.push_back(panel(a, figure, context));
   return figure;
 }

@@ -27,7 +27,8 @@ namespace {
 constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"};
 
 // The paper's sheet (its reference [30]) and shell: κ = E h³/12(1 − ν²).
-constexpr double radius_A = 110, tip_A = 10, paper_Eh = 5.864 * 1.37, paper_nu = 0.19, paper_bending_eV = 1.30;
+constexpr double radius_A = 110, tip_A = 10, paper_Eh = 5.864 * 1.37, paper_nu = 0.19,
+                 paper_bending_eV = 1.30;
 // Duan & Wang's thickness for a plate of the card's E·h (the paper's reference [47]).
 constexpr double duan_wang_thickness_A = 0.52;
 
@@ -51,7 +52,8 @@ StudyOutcome study(const std::string& potential, const FigureContext& context) {
   c.potential = potential;
   c.radius_A = radius_A;
   c.tip_radius_A = tip_A;
-  const std::optional<PotentialFile> file = read_potential(potential, inputs_folder() / "potentials", "--potential");
+  const std::optional<PotentialFile> file =
+      read_potential(potential, inputs_folder() / "potentials", "--potential");
   const std::filesystem::path folder = context.work / std::filesystem::path(potential).stem();
   std::filesystem::create_directories(folder / "work");
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = available_cores()};
@@ -69,22 +71,30 @@ FigureCurve curve_of(const Run& run, const std::string& name, const std::string&
   return curve;
 }
 
-void add_runs(FigurePanel& point, FigurePanel& disc, const Result& result, const std::string& potential, const char* colour, bool first) {
+void add_runs(FigurePanel& point, FigurePanel& disc, const Result& result, const std::string& potential,
+              const char* colour, bool first) {
   for (const Run& run : result.runs) {
     FigurePanel& panel = run.load == "point" ? point : disc;
     if (run.model == Model::atomistic)
-      panel.curves.push_back(curve_of(run, potential + ", atoms", fmt::format("points pt 7 ps 0.7 lc rgb '{}'", colour)));
+      panel.curves.push_back(
+          curve_of(run, potential + ", atoms", fmt::format("points pt 7 ps 0.7 lc rgb '{}'", colour)));
     else if (run.constants == Constants::card)
-      panel.curves.push_back(curve_of(run, potential + ", membrane", fmt::format("lines lw 1.5 lc rgb '{}'", colour)));
+      panel.curves.push_back(
+          curve_of(run, potential + ", membrane", fmt::format("lines lw 1.5 lc rgb '{}'", colour)));
     else if (first)
-      panel.curves.push_back(curve_of(run, "membrane, the paper's constants", "lines lw 2 dt '-' lc rgb 'black'"));
+      panel.curves.push_back(
+          curve_of(run, "membrane, the paper's constants", "lines lw 2 dt '-' lc rgb 'black'"));
   }
 }
 
 void add_ratios(FigurePanel& panel, const Result& result, const std::string& potential, const char* colour) {
   for (const Comparison& c : result.comparisons) {
-    FigureCurve curve{.name = fmt::format("{}, {}", potential, c.load), .x = {}, .y = {}, .y_high = {},
-                      .style = fmt::format("linespoints pt {} ps 0.6 lw 1.2 lc rgb '{}'", c.load == "point" ? 6 : 7, colour)};
+    FigureCurve curve{.name = fmt::format("{}, {}", potential, c.load),
+                      .x = {},
+                      .y = {},
+                      .y_high = {},
+                      .style = fmt::format("linespoints pt {} ps 0.6 lw 1.2 lc rgb '{}'",
+                                           c.load == "point" ? 6 : 7, colour)};
     for (std::size_t i = 0; i < c.depth_A.size(); ++i) {
       if (c.regime[i] == Regime::artefact) continue;
       curve.x.push_back(c.depth_relative[i]);
@@ -101,9 +111,12 @@ void add_plates(FigurePanel& panel, const Result& result, double tip) {
   const CardSummary& card = *result.card;
   const double a = result.sheet->effective_radius_A;
   const double thin = card.Eh_eV_per_A2 * std::pow(duan_wang_thickness_A, 2) / (12 * (1 - card.nu * card.nu));
-  add("plate, card's κ", plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip), "lines lw 1.2 dt '.' lc rgb '#555555'");
-  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), "lines lw 1.2 dt '_' lc rgb '#555555'");
-  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper_Eh, paper_nu, paper_bending_eV, tip), "lines lw 1.2 dt '-.' lc rgb '#999999'");
+  add("plate, card's κ", plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip),
+      "lines lw 1.2 dt '.' lc rgb '#555555'");
+  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip),
+      "lines lw 1.2 dt '_' lc rgb '#555555'");
+  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper_Eh, paper_nu, paper_bending_eV, tip),
+      "lines lw 1.2 dt '-.' lc rgb '#999999'");
   std::vector<double> eq16;
   for (const double d : plate_depths()) eq16.push_back(Eq16{radius_A, paper_nu}.force(d, paper_Eh, 0));
   add("Eq. 16, the paper's constants", eq16, "lines lw 0.8 lc rgb 'black'");
@@ -117,34 +130,52 @@ void add_numbers(PaperFigure& figure) {
     for (int i = 1; i <= 40; ++i) d.push_back(0.85 * i);
     return Curve(membrane_forces({radius_A, paper_nu, tip, 0}, paper_Eh, 0, d), d).at(force).value_or(NAN);
   };
-  figure.numbers.push_back({"membrane, paper's constants, point: depth at 20 eV/Å", "Å", separate, 31.62, depth(1e-4 * radius_A), 1e-3, ""});
-  figure.numbers.push_back({"membrane, paper's constants, disc of 10 Å: depth at 20 eV/Å", "Å", separate, 28.113, depth(tip_A), 1e-3, ""});
+  figure.numbers.push_back({"membrane, paper's constants, point: depth at 20 eV/Å", "Å", separate, 31.62,
+                            depth(1e-4 * radius_A), 1e-3, ""});
+  figure.numbers.push_back({"membrane, paper's constants, disc of 10 Å: depth at 20 eV/Å", "Å", separate,
+                            28.113, depth(tip_A), 1e-3, ""});
   std::vector<double> d, eq16;
   for (int i = 1; i <= 400; ++i) {
     d.push_back(0.1 * i);
     eq16.push_back(Eq16{radius_A, paper_nu}.force(d.back(), paper_Eh, 0));
   }
-  figure.numbers.push_back({"Eq. 16, paper's constants: depth at 20 eV/Å", "Å", "the formula itself", 31.604, Curve(eq16, d).at(force).value_or(NAN), 1e-4, ""});
+  figure.numbers.push_back({"Eq. 16, paper's constants: depth at 20 eV/Å", "Å", "the formula itself", 31.604,
+                            Curve(eq16, d).at(force).value_or(NAN), 1e-4, ""});
 }
 
 void add_moduli(PaperFigure& figure, const Result& result, const std::string& potential) {
-  figure.numbers.push_back({potential + ": E·h", "N/m", "Gil et al. 2010 (from their reference [30])", paper_Eh * N_per_m_per_eV_per_A2,
+  figure.numbers.push_back({potential + ": E·h", "N/m", "Gil et al. 2010 (from their reference [30])",
+                            paper_Eh * N_per_m_per_eV_per_A2,
                             result.card->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
                             "the paper's constants were fitted to an older molecular-mechanics curve"});
 }
 
 FigurePanel force_panel(const char* title) {
-  return {title, "depth (Å)", "force (eV/Å)", "depth_A", "force_eV_per_A",
-          "set xrange [0:25]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',9'\n", {}};
+  return {title,
+          "depth (Å)",
+          "force (eV/Å)",
+          "depth_A",
+          "force_eV_per_A",
+          "set xrange [0:25]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',9'\n",
+          {}};
 }
 
 }  // namespace
 
 PaperFigure figure2(const FigureContext& context) {
-  PaperFigure figure{.number = 2, .title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16", .panels = {}, .numbers = {}};
+  PaperFigure figure{.number = 2,
+                     .title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16",
+                     .panels = {},
+                     .numbers = {}};
   FigurePanel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
-  FigurePanel ratio{"atoms over membrane", "depth / effective radius", "force ratio", "depth_relative", "force_ratio",
-                    "set xrange [0:*]\nset yrange [0.7:1.5]\nset key outside right center Left reverse samplen 2 font ',9'\n", {}};
+  FigurePanel ratio{"atoms over membrane",
+                    "depth / effective radius",
+                    "force ratio",
+                    "depth_relative",
+                    "force_ratio",
+                    "set xrange [0:*]\nset yrange [0.7:1.5]\nset key outside right center Left reverse "
+                    "samplen 2 font ',9'\n",
+                    {}};
   for (std::size_t i = 0; i < context.potentials.size(); ++i) {
     const std::string& potential = context.potentials[i];
     const std::string name = std::filesystem::path(potential).stem().string();

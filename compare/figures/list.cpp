@@ -4,7 +4,9 @@ namespace compare {
 
 const std::vector<FigureEntry>& paper_figures() {
   static const std::vector<FigureEntry> all = {
-      {1, "force against depth of drums of 0.5 and 0.75 µm: membrane, tips, Eq. 16 and the experiment's spread", figure1},
+      {1,
+       "force against depth of drums of 0.5 and 0.75 µm: membrane, tips, Eq. 16 and the experiment's spread",
+       figure1},
       {2, "atoms, membrane, plates and Eq. 16 at R = 110 Å, and atoms over membrane", figure2},
   };
   return all;

@@ -11,7 +11,7 @@
 namespace compare {
 
 struct FigureCurve {
-  std::string name;            ///< in the legend and in the data files
+  std::string name;  ///< in the legend and in the data files
   std::vector<double> x, y;
   std::vector<double> y_high;  ///< with it a band from y to y_high
   std::string style;           ///< gnuplot's, behind "with"

@@ -27,14 +27,18 @@ std::string data_block(const FigureCurve& curve, const std::string& name) {
 
 std::string panel_commands(const FigurePanel& panel, std::size_t index) {
   std::string text = fmt::format(
-      "unset object\nunset arrow\nset autoscale\nset title {}\nset xlabel {}\nset ylabel {}\nset border 3 lw 1\n"
+      "unset object\nunset arrow\nset autoscale\nset title {}\nset xlabel {}\nset ylabel {}\nset border 3 lw "
+      "1\n"
       "set tics nomirror out\nset grid lc rgb '#e4e4e4' lw 1 lt 1\n{}",
-      gnuplot_quoted(panel.title), gnuplot_quoted(panel.x_label), gnuplot_quoted(panel.y_label), panel.settings);
+      gnuplot_quoted(panel.title), gnuplot_quoted(panel.x_label), gnuplot_quoted(panel.y_label),
+      panel.settings);
   bool first = true;
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     if (panel.curves[c].x.empty()) continue;
-    fmt::format_to(std::back_inserter(text), "{}{} using {} with {} title {}", first ? "plot " : ", \\\n     ", block_name(index, c),
-                   panel.curves[c].y_high.empty() ? "1:2" : "1:2:3", panel.curves[c].style, gnuplot_quoted(panel.curves[c].name));
+    fmt::format_to(std::back_inserter(text), "{}{} using {} with {} title {}",
+                   first ? "plot " : ", \\\n     ", block_name(index, c),
+                   panel.curves[c].y_high.empty() ? "1:2" : "1:2:3", panel.curves[c].style,
+                   gnuplot_quoted(panel.curves[c].name));
     first = false;
   }
   return text + (first ? "plot NaN notitle\n" : "\n");
@@ -55,14 +59,16 @@ std::string commands(const PaperFigure& figure) {
 std::string csv(const PaperFigure& figure) {
   std::string text = fmt::format("# title: figure {}: {}\n", figure.number, figure.title);
   for (const FigureNumber& n : figure.numbers)
-    fmt::format_to(std::back_inserter(text), "# number: {}: ours {:.6g} {}, reference {:.6g} {} ({}){}\n", n.what, n.ours, n.unit,
-                   n.reference, n.unit, n.source, n.comment.empty() ? "" : "; " + n.comment);
+    fmt::format_to(std::back_inserter(text), "# number: {}: ours {:.6g} {}, reference {:.6g} {} ({}){}\n",
+                   n.what, n.ours, n.unit, n.reference, n.unit, n.source,
+                   n.comment.empty() ? "" : "; " + n.comment);
   text += "panel,curve,x_key,y_key,x,y,y_high\n";
   for (const FigurePanel& panel : figure.panels)
     for (const FigureCurve& curve : panel.curves)
       for (std::size_t i = 0; i < curve.x.size(); ++i)
-        fmt::format_to(std::back_inserter(text), "\"{}\",\"{}\",{},{},{},{},{}\n", panel.title, curve.name, panel.x_key, panel.y_key,
-                       curve.x[i], curve.y[i], curve.y_high.empty() ? "" : fmt::format("{}", curve.y_high[i]));
+        fmt::format_to(std::back_inserter(text), "\"{}\",\"{}\",{},{},{},{},{}\n", panel.title, curve.name,
+                       panel.x_key, panel.y_key, curve.x[i], curve.y[i],
+                       curve.y_high.empty() ? "" : fmt::format("{}", curve.y_high[i]));
   return text;
 }
 
@@ -104,14 +110,17 @@ void write_h5(const PaperFigure& figure, const std::filesystem::path& target) {
 
 }  // namespace
 
-bool passes(const FigureNumber& n) { return n.tolerance <= 0 || std::abs(n.ours - n.reference) <= n.tolerance * std::abs(n.reference); }
+bool passes(const FigureNumber& n) {
+  return n.tolerance <= 0 || std::abs(n.ours - n.reference) <= n.tolerance * std::abs(n.reference);
+}
 
 std::string numbers_text(const PaperFigure& figure) {
-  std::string text = fmt::format("Figure {}: {}\n{:<64}{:>10}{:>11}  {:<5}{:>8}\n", figure.number, figure.title, "", "ours", "reference", "", "");
+  std::string text = fmt::format("Figure {}: {}\n{:<64}{:>10}{:>11}  {:<5}{:>8}\n", figure.number,
+                                 figure.title, "", "ours", "reference", "", "");
   std::vector<std::string> remarks;  // each once, as it belongs to several lines
   for (const FigureNumber& n : figure.numbers) {
-    fmt::format_to(std::back_inserter(text), "{:<64}{:>10.5g}{:>11.5g}  {:<5}{:>+7.2f} %{}\n", n.what, n.ours, n.reference, n.unit,
-                   100 * (n.ours / n.reference - 1), passes(n) ? "" : "  DIFFERS");
+    fmt::format_to(std::back_inserter(text), "{:<64}{:>10.5g}{:>11.5g}  {:<5}{:>+7.2f} %{}\n", n.what, n.ours,
+                   n.reference, n.unit, 100 * (n.ours / n.reference - 1), passes(n) ? "" : "  DIFFERS");
     for (const std::string& remark : {"reference: " + n.source, n.comment})
       if (!remark.empty() && std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
   }
@@ -124,7 +133,8 @@ void write_paper_figure(const PaperFigure& figure, const std::filesystem::path& 
   write_file(folder / (name + ".csv"), csv(figure));
   write_h5(figure, folder / (name + ".h5"));
   const int rows = static_cast<int>(figure.panels.size() + 1) / 2;
-  if (const auto warning = draw(commands(figure), folder, name, {1200, 560 * rows})) spdlog::warn("{}", *warning);
+  if (const auto warning = draw(commands(figure), folder, name, {1200, 560 * rows}))
+    spdlog::warn("{}", *warning);
 }
 
 }  // namespace compare

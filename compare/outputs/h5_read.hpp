@@ -12,8 +12,8 @@
 
 namespace compare::h5 {
 
-/// A group opened for reading. Names that are not there are no error where the answer says so; anything else that fails
-/// throws Error (file failed).
+/// A group opened for reading. Names that are not there are no error where the answer says so; anything else
+/// that fails throws Error (file failed).
 class ReadGroup {
  public:
   ReadGroup(std::shared_ptr<Handle> file, Handle group) : file_(std::move(file)), group_(std::move(group)) {}
@@ -35,7 +35,8 @@ class ReadGroup {
   Handle group_;
 };
 
-/// The root of a file. Throws Error: bad input if there is no such file or it is not HDF5; `label` starts the message.
+/// The root of a file. Throws Error: bad input if there is no such file or it is not HDF5; `label` starts the
+/// message.
 ReadGroup open_file(const std::filesystem::path& file, std::string_view label);
 
 }  // namespace compare::h5

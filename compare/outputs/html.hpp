@@ -13,7 +13,8 @@ std::string escaped(std::string_view text);
 /// A table; cells are text, not markup. Cells from the second column on are set as numbers.
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
-/// A gnuplot SVG ready to stand inside a page: no prolog, scalable, its ids prefixed so that several do not collide.
+/// A gnuplot SVG ready to stand inside a page: no prolog, scalable, its ids prefixed so that several do not
+/// collide.
 std::string inline_svg(std::string svg, std::string_view prefix, std::string_view title);
 
 /// A whole page: style for screen, phone and paper; nothing is loaded from anywhere.

@@ -15,10 +15,11 @@ namespace compare {
 std::string measured_text(const MeasuredResult& result, const MeasuredOptions& options);
 
 /// All curves of a command. Keys end in their unit; fits as in summary.json.
-nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results, const MeasuredOptions& options,
-                                         const std::string& command_line);
+nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
+                                         const MeasuredOptions& options, const std::string& command_line);
 
-/// fit-<name>.svg and .png: data with both fits, residuals, window scan. Returns what the user should know, if anything.
+/// fit-<name>.svg and .png: data with both fits, residuals, window scan. Returns what the user should know,
+/// if anything.
 std::optional<std::string> draw_measured(const MeasuredResult& result, const MeasuredOptions& options,
                                          const std::filesystem::path& folder, const std::string& name);
 

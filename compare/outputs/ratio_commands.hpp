@@ -7,8 +7,8 @@
 
 namespace compare {
 
-/// Force and energy ratio of every comparison against depth / effective radius, the tolerance as a band, the judged
-/// window as thin lines; empty where nothing is compared.
+/// Force and energy ratio of every comparison against depth / effective radius, the tolerance as a band, the
+/// judged window as thin lines; empty where nothing is compared.
 std::string ratio_commands(const Result& result);
 
 }  // namespace compare

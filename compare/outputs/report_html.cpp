@@ -30,8 +30,10 @@ std::string number(double value, const char* format) {
 }
 
 std::string name_of(const Run& run) {
-  const std::string name = fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : "membrane", run.load);
-  return run.constants == Constants::none ? name : fmt::format("{}, {} constants", name, to_string(run.constants));
+  const std::string name =
+      fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : "membrane", run.load);
+  return run.constants == Constants::none ? name
+                                          : fmt::format("{}, {} constants", name, to_string(run.constants));
 }
 
 std::string pair_N_per_m(double value, double error, int digits) {
@@ -45,26 +47,32 @@ std::string interval_N_per_m(const std::array<double, 2>& ends, int digits) {
 
 std::string verdict(const Result& result) {
   if (!result.agreement)
-    return fmt::format("<p class=\"verdict\"><b>No verdict</b>: {}.</p>\n",
-                       html::escaped(result.agreement_skipped.empty() ? "nothing to compare" : result.agreement_skipped));
+    return fmt::format(
+        "<p class=\"verdict\"><b>No verdict</b>: {}.</p>\n",
+        html::escaped(result.agreement_skipped.empty() ? "nothing to compare" : result.agreement_skipped));
   const Agreement& a = *result.agreement;
   return fmt::format(
-      "<p class=\"verdict {}\"><b>{}</b>: over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from "
+      "<p class=\"verdict {}\"><b>{}</b>: over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force "
+      "differs from "
       "the like-for-like membrane's by at most {:.2f} % (tolerance {:.2f} %).</p>\n",
-      a.passed ? "good" : "bad", a.passed ? "Agreement" : "Disagreement", a.window[0], a.window[1], html::escaped(a.load),
-      100 * a.max_relative_difference, 100 * a.tolerance);
+      a.passed ? "good" : "bad", a.passed ? "Agreement" : "Disagreement", a.window[0], a.window[1],
+      html::escaped(a.load), 100 * a.max_relative_difference, 100 * a.tolerance);
 }
 
 std::string heading(const Result& result) {
-  std::string text = fmt::format("<h1>{}, R = {:g} Å</h1>\n", html::escaped(result.card || result.sheet ? result.resolved.potential : "membrane"),
-                                 result.resolved.radius_A);
+  std::string text =
+      fmt::format("<h1>{}, R = {:g} Å</h1>\n",
+                  html::escaped(result.card || result.sheet ? result.resolved.potential : "membrane"),
+                  result.resolved.radius_A);
   if (const auto& card = result.card)
-    text += fmt::format("<p class=\"soft\">Potential card: a<sub>0</sub> = {:.5f} Å, E·h = {:.1f} N/m ({:.3f} eV/Å²), ν = {:.4f}, "
-                        "κ = {:.3f} eV.{}</p>\n",
-                        card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2, card->nu, card->bending_modulus_eV,
-                        result.sheet ? fmt::format(" {} atoms, effective radius a = {:.3f} Å.", result.sheet->atoms,
-                                                   result.sheet->effective_radius_A)
-                                     : "");
+    text += fmt::format(
+        "<p class=\"soft\">Potential card: a<sub>0</sub> = {:.5f} Å, E·h = {:.1f} N/m ({:.3f} eV/Å²), ν = "
+        "{:.4f}, "
+        "κ = {:.3f} eV.{}</p>\n",
+        card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2, card->nu, card->bending_modulus_eV,
+        result.sheet ? fmt::format(" {} atoms, effective radius a = {:.3f} Å.", result.sheet->atoms,
+                                   result.sheet->effective_radius_A)
+                     : "");
   return text;
 }
 
@@ -86,11 +94,14 @@ std::string headline_tables(const Result& result) {
     const Fit& fit = *run.fit;
     const auto& [bias, direct] = std::tie(fit.bias, fit.direct);
     moduli.push_back({name_of(run), modulus, pair_N_per_m(fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, 1),
-                      bias ? known_bias(*bias) : "–", bias ? number(in_N_per_m(bias->Eh_corrected_eV_per_A2), "{:.1f}") : "–",
+                      bias ? known_bias(*bias) : "–",
+                      bias ? number(in_N_per_m(bias->Eh_corrected_eV_per_A2), "{:.1f}") : "–",
                       direct ? pair_N_per_m(direct->Eh_eV_per_A2, direct->Eh_stderr_eV_per_A2, 1) : "–"});
     pretensions.push_back(
         {name_of(run), pretension, pair_N_per_m(fit.pretension_eV_per_A2, fit.pretension_stderr_eV_per_A2, 3),
-         bias ? fmt::format("{:+.3f}", in_N_per_m(bias->pretension_read_eV_per_A2 - bias->pretension_true_eV_per_A2)) : "–",
+         bias ? fmt::format("{:+.3f}",
+                            in_N_per_m(bias->pretension_read_eV_per_A2 - bias->pretension_true_eV_per_A2))
+              : "–",
          bias ? number(in_N_per_m(bias->pretension_corrected_eV_per_A2), "{:.3f}") : "–",
          direct ? pair_N_per_m(direct->pretension_eV_per_A2, direct->pretension_stderr_eV_per_A2, 3) : "–"});
   }
@@ -99,32 +110,40 @@ std::string headline_tables(const Result& result) {
   };
   std::string skipped;
   for (const Run& run : result.runs)
-    if (!run.fit) skipped += "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
-  return "<h2>E·h and pretension (N/m)</h2>\n" + html::table(header("E·h"), moduli) + html::table(header("pretension"), pretensions) +
-         skipped +
-         "<p class=\"soft\">True: the constants of the membrane, or of the potential from small strains. Its bias: what Eq. 16 "
-         "reads from the like-for-like membrane over the same depths, whose constants are known. Membrane itself: the "
-         "finite-strain membrane with the real tip, E·h and pretension free. Errors are standard errors of the fit and know "
+    if (!run.fit)
+      skipped +=
+          "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
+  return "<h2>E·h and pretension (N/m)</h2>\n" + html::table(header("E·h"), moduli) +
+         html::table(header("pretension"), pretensions) + skipped +
+         "<p class=\"soft\">True: the constants of the membrane, or of the potential from small strains. Its "
+         "bias: what Eq. 16 "
+         "reads from the like-for-like membrane over the same depths, whose constants are known. Membrane "
+         "itself: the "
+         "finite-strain membrane with the real tip, E·h and pretension free. Errors are standard errors of "
+         "the fit and know "
          "nothing of the bias.</p>\n";
 }
 
 std::string figures_html(const std::vector<ReportFigure>& figures) {
-  if (figures.empty()) return "<p class=\"soft\">No figures: gnuplot is not installed; the data are in curves.csv.</p>\n";
+  if (figures.empty())
+    return "<p class=\"soft\">No figures: gnuplot is not installed; the data are in curves.csv.</p>\n";
   std::string text;
   for (std::size_t i = 0; i < figures.size(); ++i)
     text += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
-                        html::inline_svg(figures[i].svg, fmt::format("f{}-", i), figures[i].title), html::escaped(figures[i].caption));
+                        html::inline_svg(figures[i].svg, fmt::format("f{}-", i), figures[i].title),
+                        html::escaped(figures[i].caption));
   return text;
 }
 
 std::string regimes(const Comparison& c, double tolerance) {
   std::string text;
   if (std::isfinite(c.bending_to_A))
-    text += fmt::format("Bending keeps the atoms more than {:g} % above the membrane up to a depth of {:.3g} Å. ", 100 * tolerance,
-                        c.bending_to_A);
+    text +=
+        fmt::format("Bending keeps the atoms more than {:g} % above the membrane up to a depth of {:.3g} Å. ",
+                    100 * tolerance, c.bending_to_A);
   if (std::isfinite(c.softening_from_A))
-    text += fmt::format("Softening of the bonds takes them more than {:g} % below it from {:.3g} Å on. ", 100 * tolerance,
-                        c.softening_from_A);
+    text += fmt::format("Softening of the bonds takes them more than {:g} % below it from {:.3g} Å on. ",
+                        100 * tolerance, c.softening_from_A);
   if (std::isfinite(c.artefact_from_A))
     text += fmt::format("From {:.3g} Å on the forces are an artefact of the potential. ", c.artefact_from_A);
   return text.empty() ? "One regime throughout." : text;
@@ -134,15 +153,20 @@ std::string comparisons(const Result& result) {
   if (result.comparisons.empty()) return {};
   std::string text = "<h2>Where continuum and atoms part</h2>\n";
   for (const Comparison& c : result.comparisons) {
-    text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", html::escaped(c.load), regimes(c, result.resolved.tolerance));
+    text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", html::escaped(c.load),
+                        regimes(c, result.resolved.tolerance));
     Rows rows;
     for (std::size_t i = 0; i < c.depth_A.size(); ++i)
-      rows.push_back({number(c.depth_A[i], "{:.3f}"), number(c.depth_relative[i], "{:.4f}"), number(c.force_ratio[i], "{:.4f}"),
-                      number(c.depth_ratio[i], "{:.4f}"), number(c.energy_ratio[i], "{:.4f}"), std::string(to_string(c.regime[i]))});
-    text += html::table({"depth (Å)", "depth / a", "force ratio", "depth ratio", "energy ratio", "regime"}, rows);
+      rows.push_back({number(c.depth_A[i], "{:.3f}"), number(c.depth_relative[i], "{:.4f}"),
+                      number(c.force_ratio[i], "{:.4f}"), number(c.depth_ratio[i], "{:.4f}"),
+                      number(c.energy_ratio[i], "{:.4f}"), std::string(to_string(c.regime[i]))});
+    text +=
+        html::table({"depth (Å)", "depth / a", "force ratio", "depth ratio", "energy ratio", "regime"}, rows);
   }
-  return text + "<p class=\"soft\">Ratios are atoms / membrane with the potential's own constants: force and energy at equal depth, "
-                "depth at equal force.</p>\n";
+  return text +
+         "<p class=\"soft\">Ratios are atoms / membrane with the potential's own constants: force and energy "
+         "at equal depth, "
+         "depth at equal force.</p>\n";
 }
 
 std::string fits(const Result& result) {
@@ -151,18 +175,23 @@ std::string fits(const Result& result) {
   for (const Run& run : result.runs) {
     if (!run.fit) continue;
     const Fit& fit = *run.fit;
-    rows.push_back({name_of(run), interval_N_per_m(fit.Eh_interval_eV_per_A2, 1), number(in_N_per_m(fit.Eh_bootstrap_eV_per_A2), "{:.2f}"),
-                    interval_N_per_m(fit.pretension_interval_eV_per_A2, 3), number(in_N_per_m(fit.pretension_bootstrap_eV_per_A2), "{:.3f}"),
-                    number(fit.correlation, "{:.3f}"), number(fit.condition_number, "{:.1f}"), number(fit.r_squared, "{:.6f}"),
-                    number(100 * fit.rms_relative, "{:.3f}"), fmt::format("{}", fit.points),
+    rows.push_back({name_of(run), interval_N_per_m(fit.Eh_interval_eV_per_A2, 1),
+                    number(in_N_per_m(fit.Eh_bootstrap_eV_per_A2), "{:.2f}"),
+                    interval_N_per_m(fit.pretension_interval_eV_per_A2, 3),
+                    number(in_N_per_m(fit.pretension_bootstrap_eV_per_A2), "{:.3f}"),
+                    number(fit.correlation, "{:.3f}"), number(fit.condition_number, "{:.1f}"),
+                    number(fit.r_squared, "{:.6f}"), number(100 * fit.rms_relative, "{:.3f}"),
+                    fmt::format("{}", fit.points),
                     fmt::format("{:.3g} … {:.3g}", fit.window_A[0], fit.window_A[1])});
     for (const std::string& warning : fit.warnings)
       warnings += "<li>" + html::escaped(name_of(run)) + ": " + html::escaped(warning) + "</li>\n";
   }
   if (rows.empty()) return {};
-  std::string text = "<h2>How far to trust the fits</h2>\n" +
-                     html::table({"Eq. 16 fitted to", "E·h 95 %", "bootstrap ±", "pretension 95 %", "bootstrap ±", "correlation",
-                                  "condition", "R²", "rms %", "points", "depths (Å)"}, rows);
+  std::string text =
+      "<h2>How far to trust the fits</h2>\n" +
+      html::table({"Eq. 16 fitted to", "E·h 95 %", "bootstrap ±", "pretension 95 %", "bootstrap ±",
+                   "correlation", "condition", "R²", "rms %", "points", "depths (Å)"},
+                  rows);
   if (!warnings.empty()) text += "<ul>\n" + warnings + "</ul>\n";
   return text;
 }
@@ -173,12 +202,14 @@ std::string quality(const Result& result) {
     const bool atoms = run.model == Model::atomistic;
     Rows rows;
     for (std::size_t i = 0; i < run.depth_A.size(); ++i) {
-      std::vector<std::string> row = {number(run.depth_A[i], "{:.3f}"), number(run.force_eV_per_A[i], "{:.5f}"),
+      std::vector<std::string> row = {number(run.depth_A[i], "{:.3f}"),
+                                      number(run.force_eV_per_A[i], "{:.5f}"),
                                       number(run.energy_eV[i], "{:.4f}"), run.converged[i] ? "yes" : "no"};
       if (atoms) {
-        const std::vector<std::string> more = {number(run.longest_bond_A[i], "{:.4f}"), number(run.max_force_eV_per_A[i], "{:.1e}"),
-                                               number(run.balance_relative[i], "{:.1e}"), number(run.force_error_relative[i], "{:.1e}"),
-                                               fmt::format("{}", run.force_evaluations[i]), fmt::format("{}", run.factorisations[i])};
+        const std::vector<std::string> more = {
+            number(run.longest_bond_A[i], "{:.4f}"),     number(run.max_force_eV_per_A[i], "{:.1e}"),
+            number(run.balance_relative[i], "{:.1e}"),   number(run.force_error_relative[i], "{:.1e}"),
+            fmt::format("{}", run.force_evaluations[i]), fmt::format("{}", run.factorisations[i])};
         row.insert(row.end(), more.begin(), more.end());
       } else {
         row.push_back(fmt::format("{}", run.newton_iterations[i]));
@@ -187,11 +218,13 @@ std::string quality(const Result& result) {
     }
     std::vector<std::string> header = {"depth (Å)", "force (eV/Å)", "energy (eV)", "converged"};
     const std::vector<std::string> more =
-        atoms ? std::vector<std::string>{"longest bond (Å)", "max |f| (eV/Å)", "balance", "force error", "evaluations", "factors"}
+        atoms ? std::vector<std::string>{"longest bond (Å)", "max |f| (eV/Å)", "balance",
+                                         "force error",      "evaluations",    "factors"}
               : std::vector<std::string>{"Newton steps"};
     header.insert(header.end(), more.begin(), more.end());
-    text += fmt::format("<details><summary>{}: {} depths, ended: {}{}</summary>\n", html::escaped(name_of(run)), run.depth_A.size(),
-                        to_string(run.ended), run.ended_reason.empty() ? "" : " (" + html::escaped(run.ended_reason) + ")") +
+    text += fmt::format("<details><summary>{}: {} depths, ended: {}{}</summary>\n",
+                        html::escaped(name_of(run)), run.depth_A.size(), to_string(run.ended),
+                        run.ended_reason.empty() ? "" : " (" + html::escaped(run.ended_reason) + ")") +
             html::table(header, rows) + "</details>\n";
   }
   return text;
@@ -212,10 +245,13 @@ std::string provenance(const Result& result) {
   add("potential file", p.potential_file);
   add("SHA-256", p.potential_sha256);
   if (std::isfinite(result.timing.wall_s)) add("wall time", fmt::format("{:.1f} s", result.timing.wall_s));
-  text += "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
-  text += "<h2>How to make this again</h2>\n<pre>" + html::escaped(p.command_line) + "\nvalidate report run.h5    # this page, without computing</pre>\n";
+  text +=
+      "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
+  text += "<h2>How to make this again</h2>\n<pre>" + html::escaped(p.command_line) +
+          "\nvalidate report run.h5    # this page, without computing</pre>\n";
   text += "<details><summary>the resolved case</summary>\n<pre>" +
-          html::escaped(case_document(result.resolved).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
+          html::escaped(case_document(result.resolved)
+                            .dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
           "</pre></details>\n";
   return text;
 }
@@ -225,7 +261,9 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "validate-report-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw Error(ExitCode::file_failed, "cannot create a folder in " + std::filesystem::temp_directory_path().string());
+    if (!::mkdtemp(name.data()))
+      throw Error(ExitCode::file_failed,
+                  "cannot create a folder in " + std::filesystem::temp_directory_path().string());
     path_ = name;
   }
   ~ScratchFolder() {
@@ -247,14 +285,24 @@ struct Drawing {
 };
 
 std::vector<ReportFigure> draw_all(const Result& result) {
-  const Drawing drawings[] = {
-      {"force", figure_commands(result), "force against depth",
-       "Force against depth: atoms as markers (open in the artefact zone), membranes as lines (dashed: the paper's constants), Eq. 16 thin.", {}},
-      {"ratio", ratio_commands(result), "atoms over membrane",
-       "Atoms over the like-for-like membrane at equal depth. Green: the tolerance; dotted: the judged window.", {900, 480}},
-      {"scan", scan_commands(result), "fits against the window",
-       "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A result that moves with the window is not one number.",
-       {900, 420}}};
+  const Drawing drawings[] = {{"force",
+                               figure_commands(result),
+                               "force against depth",
+                               "Force against depth: atoms as markers (open in the artefact zone), membranes "
+                               "as lines (dashed: the paper's constants), Eq. 16 thin.",
+                               {}},
+                              {"ratio",
+                               ratio_commands(result),
+                               "atoms over membrane",
+                               "Atoms over the like-for-like membrane at equal depth. Green: the tolerance; "
+                               "dotted: the judged window.",
+                               {900, 480}},
+                              {"scan",
+                               scan_commands(result),
+                               "fits against the window",
+                               "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A "
+                               "result that moves with the window is not one number.",
+                               {900, 420}}};
   const ScratchFolder folder;
   std::vector<ReportFigure> figures;
   for (const Drawing& drawing : drawings) {
@@ -269,15 +317,19 @@ std::vector<ReportFigure> draw_all(const Result& result) {
 }  // namespace
 
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures) {
-  const std::string body = heading(result) + verdict(result) + headline_tables(result) + figures_html(figures) + comparisons(result) +
-                           fits(result) + quality(result) + provenance(result);
-  return html::page(fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A), body);
+  const std::string body = heading(result) + verdict(result) + headline_tables(result) +
+                           figures_html(figures) + comparisons(result) + fits(result) + quality(result) +
+                           provenance(result);
+  return html::page(
+      fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A), body);
 }
 
 void write_report(const Result& result, const std::filesystem::path& target) {
   write_file(target, report_html(result, draw_all(result)));
 }
 
-void write_report_in(const Result& result, const std::filesystem::path& folder) { write_report(result, folder / "report.html"); }
+void write_report_in(const Result& result, const std::filesystem::path& folder) {
+  write_report(result, folder / "report.html");
+}
 
 }  // namespace compare

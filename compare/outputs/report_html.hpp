@@ -14,12 +14,12 @@ struct ReportFigure {
   std::string svg, title, caption;
 };
 
-/// The page: verdict, headline table, figures, regimes and ratios, fits with intervals and warnings, convergence per
-/// depth, provenance, how to make it again.
+/// The page: verdict, headline table, figures, regimes and ratios, fits with intervals and warnings,
+/// convergence per depth, provenance, how to make it again.
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures);
 
-/// Draws the figures anew (in a folder of its own that is removed) and writes the page. Without gnuplot the page has no
-/// figures and says so. Throws Error (file failed).
+/// Draws the figures anew (in a folder of its own that is removed) and writes the page. Without gnuplot the
+/// page has no figures and says so. Throws Error (file failed).
 void write_report(const Result& result, const std::filesystem::path& target);
 
 /// The same as a document of a run folder.

@@ -19,7 +19,9 @@ Enum enum_from(const std::string& text, std::initializer_list<Enum> values) {
   throw bad_input("run.h5 holds the unknown word '{}'", text);
 }
 
-void from_text(const std::string& text, Model& value) { value = enum_from(text, {Model::membrane, Model::atomistic}); }
+void from_text(const std::string& text, Model& value) {
+  value = enum_from(text, {Model::membrane, Model::atomistic});
+}
 void from_text(const std::string& text, Constants& value) {
   value = enum_from(text, {Constants::card, Constants::paper, Constants::given, Constants::none});
 }
@@ -114,7 +116,8 @@ Result read_result(const h5::ReadGroup& root) {
   read_optional(root, "sheet", result.sheet);
   read_optional(root, "card", result.card);
   if (const auto runs = root.group("runs"))
-    for (int i = 0; const auto run = runs->group(std::to_string(i)); ++i) result.runs.push_back(read_run(*run));
+    for (int i = 0; const auto run = runs->group(std::to_string(i)); ++i)
+      result.runs.push_back(read_run(*run));
   read_optional(root, "agreement", result.agreement);
   if (result.agreement) read_columns(*root.group("agreement"), *result.agreement);
   if (root.has_attribute("agreement_skipped")) result.agreement_skipped = root.text("agreement_skipped");
@@ -135,11 +138,12 @@ Result read_result(const h5::ReadGroup& root) {
 Result read_run_h5(const std::filesystem::path& file, std::string_view label) {
   const h5::ReadGroup root = h5::open_file(file, label);
   if (!root.has_attribute("schema") || !root.group("runs"))
-    throw bad_input("{}'{}' is HDF5, but no run of this program", label.empty() ? "" : std::string(label) + ": ",
-                    file.string());
+    throw bad_input("{}'{}' is HDF5, but no run of this program",
+                    label.empty() ? "" : std::string(label) + ": ", file.string());
   if (root.number("schema") != summary_schema)
-    throw bad_input("{}'{}' has schema {}; this program reads {}", label.empty() ? "" : std::string(label) + ": ",
-                    file.string(), root.number("schema"), summary_schema);
+    throw bad_input("{}'{}' has schema {}; this program reads {}",
+                    label.empty() ? "" : std::string(label) + ": ", file.string(), root.number("schema"),
+                    summary_schema);
   return read_result(root);
 }
 

@@ -8,8 +8,8 @@
 
 namespace compare {
 
-/// Throws Error: bad input where the file is not a run of this program (`label` starts the message), file failed where it
-/// cannot be read. What a file of an older version does not hold keeps its default.
+/// Throws Error: bad input where the file is not a run of this program (`label` starts the message), file
+/// failed where it cannot be read. What a file of an older version does not hold keeps its default.
 Result read_run_h5(const std::filesystem::path& file, std::string_view label = {});
 
 }  // namespace compare

@@ -34,11 +34,13 @@ std::string blocks(const std::vector<NamedScan>& scans, double depth_factor) {
   return text;
 }
 
-std::string panel(const std::vector<NamedScan>& scans, int column, const char* label, double NamedScan::*known) {
+std::string panel(const std::vector<NamedScan>& scans, int column, const char* label,
+                  double NamedScan::*known) {
   std::string text = fmt::format("set ylabel '{}'\nplot ", label);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const char* const colour = colours[i % colours.size()];
-    fmt::format_to(std::back_inserter(text), "{}$scan{} using 1:{} with linespoints lc rgb '{}' pt 7 ps 0.6 lw 1.5 title {}",
+    fmt::format_to(std::back_inserter(text),
+                   "{}$scan{} using 1:{} with linespoints lc rgb '{}' pt 7 ps 0.6 lw 1.5 title {}",
                    i ? ", \\\n     " : "", i, column, colour, gnuplot_quoted(scans[i].name));
     if (std::isfinite(scans[i].*known))
       fmt::format_to(std::back_inserter(text), ", \\\n     {} with lines lc rgb '{}' lw 1 dt 2 notitle",

@@ -15,8 +15,8 @@ struct NamedScan {
   double Eh_known_eV_per_A2 = not_known, pretension_known_eV_per_A2 = not_known;
 };
 
-/// Two panels side by side: E·h and pretension (N/m) against the largest depth fitted (Å, or nm above 100 Å); known
-/// values as thin lines.
+/// Two panels side by side: E·h and pretension (N/m) against the largest depth fitted (Å, or nm above 100 Å);
+/// known values as thin lines.
 std::string scan_commands(const std::vector<NamedScan>& scans);
 
 /// The same for the atoms and the like-for-like (or given) membranes of a run; empty where nothing is fitted.

@@ -157,14 +157,16 @@ void add_regimes(std::string& text, const Result& result) {
     const double bending = std::isfinite(c.bending_to_A) ? c.bending_to_A : 0;
     const double softening = std::isfinite(c.softening_from_A) ? c.softening_from_A : largest;
     std::string more;
-    if (std::isfinite(c.softening_from_A)) more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
-    if (std::isfinite(c.artefact_from_A)) more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
+    if (std::isfinite(c.softening_from_A))
+      more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
+    if (std::isfinite(c.artefact_from_A))
+      more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
     if (c.regime.back() == Regime::bending) {
       sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", c.load,
                1 + result.resolved.tolerance, more);
     } else {
-      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}", c.load,
-               bending, softening, 100 * result.resolved.tolerance, more);
+      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}",
+               c.load, bending, softening, 100 * result.resolved.tolerance, more);
     }
   }
   if (!result.comparisons.empty()) text += '\n';

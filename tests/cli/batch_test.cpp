@@ -17,8 +17,22 @@ using nlohmann::json;
 using Words = std::vector<std::string>;
 
 Words batch(const Words& more) {
-  Words words = {"indentation", "--potential", "tersoff,tersoff-1989", "--radius", "12,15", "--tip-radius", "5", "--loads", "disc",
-                 "--depth-step", "1", "--depth-max", "3", "--out", "batch", "--quiet"};
+  Words words = {"indentation",
+                 "--potential",
+                 "tersoff,tersoff-1989",
+                 "--radius",
+                 "12,15",
+                 "--tip-radius",
+                 "5",
+                 "--loads",
+                 "disc",
+                 "--depth-step",
+                 "1",
+                 "--depth-max",
+                 "3",
+                 "--out",
+                 "batch",
+                 "--quiet"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -40,7 +54,8 @@ TEST(Batch, RunsEveryPairInAFolderOfItsOwnAndCanBeResumed) {
     EXPECT_EQ(schema.problems(entry["summary"]), Words{});
     EXPECT_EQ(entry["summary"]["case"]["radius_A"], entry["radius_A"]);
     EXPECT_EQ(entry["summary"]["case"]["potential"], entry["potential"]);
-    EXPECT_EQ(entry["summary"], document(folder.path() / "batch" / entry["folder"].get<std::string>() / "summary.json"));
+    EXPECT_EQ(entry["summary"],
+              document(folder.path() / "batch" / entry["folder"].get<std::string>() / "summary.json"));
     EXPECT_NE(outcome.out.find(entry["potential"].get<std::string>()), std::string::npos);
   }
 
@@ -48,7 +63,9 @@ TEST(Batch, RunsEveryPairInAFolderOfItsOwnAndCanBeResumed) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_NE(refused.err.find("--resume"), std::string::npos);
 
-  const auto stamp = [&](const char* name) { return fs::last_write_time(folder.path() / "batch" / name / "summary.json"); };
+  const auto stamp = [&](const char* name) {
+    return fs::last_write_time(folder.path() / "batch" / name / "summary.json");
+  };
   const auto kept = stamp("tersoff-R12");
   fs::remove_all(folder.path() / "batch" / "tersoff-R15");
   const Outcome resumed = run_validate(batch({"--resume"}), folder.path());
@@ -72,8 +89,10 @@ TEST(Batch, ChecksEveryCaseBeforeTheFirstStarts) {
 
 TEST(ReportCommand, MakesThePageAgainWithoutComputing) {
   const WorkFolder folder;
-  const Words membrane = {"indentation", "--models", "membrane", "--radius", "0.5 um", "--E", "1.0209 TPa", "--thickness", "0.335 nm",
-                          "--nu", "0.165", "--loads", "disc", "--tip-radius", "16.5 nm", "--depth-step", "25 nm", "--out", "run", "--quiet"};
+  const Words membrane = {"indentation",  "--models",   "membrane",    "--radius",     "0.5 um",
+                          "--E",          "1.0209 TPa", "--thickness", "0.335 nm",     "--nu",
+                          "0.165",        "--loads",    "disc",        "--tip-radius", "16.5 nm",
+                          "--depth-step", "25 nm",      "--out",       "run",          "--quiet"};
   ASSERT_EQ(run_validate(membrane, folder.path()).exit_code, 0);
   const auto text = [&](const fs::path& file) {
     std::ifstream in(file);

@@ -17,19 +17,23 @@ std::string text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void expect_complete(const fs::path& folder, const std::string& name, std::initializer_list<const char*> curves) {
-  for (const char* ending : {".svg", ".png", ".csv", ".h5"}) EXPECT_GT(text(folder / (name + ending)).size(), 5000u) << name << ending;
+void expect_complete(const fs::path& folder, const std::string& name,
+                     std::initializer_list<const char*> curves) {
+  for (const char* ending : {".svg", ".png", ".csv", ".h5"})
+    EXPECT_GT(text(folder / (name + ending)).size(), 5000u) << name << ending;
   const std::string csv = text(folder / (name + ".csv"));
   for (const char* curve : curves) EXPECT_NE(csv.find(curve), std::string::npos) << curve;
   EXPECT_EQ(csv.find("nan"), std::string::npos);
 }
 
-// Exit code 3 would say that a number with a tolerance (depths at 1500 nN against solvers written separately) is missed.
+// Exit code 3 would say that a number with a tolerance (depths at 1500 nN against solvers written separately)
+// is missed.
 TEST(Figure, OneIsMade) {
   const WorkFolder folder;
   const Outcome outcome = run_validate({"figure", "1", "--out", "f", "--quiet"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  expect_complete(folder.path() / "f", "figure1", {"membrane, point", "disc of 16.5 nm", "disc of 27.5 nm", "342 ± 30", "a = 0.75"});
+  expect_complete(folder.path() / "f", "figure1",
+                  {"membrane, point", "disc of 16.5 nm", "disc of 27.5 nm", "342 ± 30", "a = 0.75"});
   EXPECT_FALSE(fs::exists(folder.path() / "f" / "work"));
   EXPECT_NE(outcome.out.find("depth at 1500 nN"), std::string::npos);
 }

@@ -17,8 +17,9 @@ const std::string measured = std::string(SOURCE_INPUTS) + "/measured/";
 
 TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate({"fit", measured + "synthetic-034.csv", measured + "synthetic-007.csv", "--bootstrap",
-                                        "50", "--json", "-", "--out", "out"}, folder.path());
+  const Outcome outcome = run_validate({"fit", measured + "synthetic-034.csv", measured + "synthetic-007.csv",
+                                        "--bootstrap", "50", "--json", "-", "--out", "out"},
+                                       folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
   const double pretension[] = {0.34, 0.07};
@@ -30,7 +31,8 @@ TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
     EXPECT_GT(fit["Eh_N_per_m"].get<double>(), 400);  // Eq. 16 does not
     EXPECT_FALSE(fit["warnings"].empty());
   }
-  for (const char* name : {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-007.svg"})
+  for (const char* name :
+       {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-007.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 
@@ -57,18 +59,22 @@ TEST(FitCommand, BadInputIsNamed) {
     words.insert(words.begin(), "fit");
     const Outcome outcome = run_validate(words, folder.path());
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    for (const char* word : said) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
+    for (const char* word : said)
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " is not in: " << outcome.err;
     EXPECT_EQ(outcome.out, "");
   };
   expect({"curve.csv", "--nu", "0.165"}, {"--radius", "is needed"});
   expect({"curve.csv", "--radius", "0.5 um"}, {"--nu", "is needed"});
   expect({"curve.csv", "--radius", "0.5 kg", "--nu", "0.165"}, {"--radius", "kg"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "2"}, {"--nu", "< 1"});
-  expect({"curve.csv", "--radius", "10 nm", "--nu", "0.1", "--tip-radius", "11 nm"}, {"--tip-radius", "wider"});
+  expect({"curve.csv", "--radius", "10 nm", "--nu", "0.1", "--tip-radius", "11 nm"},
+         {"--tip-radius", "wider"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--model", "eq17"}, {"--model", "'eq16'?"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--model", "hencky"}, {"pressure"});
-  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "sigma"}, {"--weights sigma", "column"});
-  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "equal"}, {"--weights", "uniform"});
+  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "sigma"},
+         {"--weights sigma", "column"});
+  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "equal"},
+         {"--weights", "uniform"});
   expect({"short.csv", "--radius", "0.5 um", "--nu", "0.165"}, {"short.csv", "needs 4"});
   expect({"none.csv", "--radius", "0.5 um", "--nu", "0.165"}, {"none.csv"});
   expect({"curve.csv", "--radios", "0.5 um"}, {"'--radius'?"});
@@ -78,11 +84,13 @@ TEST(ModelCommand, ListsAndDescribes) {
   const WorkFolder folder;
   const Outcome all = run_validate({"model"}, folder.path());
   EXPECT_EQ(all.exit_code, 0);
-  for (const char* name : {"eq16", "foeppl", "hencky", "plate", "point", "disc", "sphere-pretension", "tip-pretension"}) {
+  for (const char* name :
+       {"eq16", "foeppl", "hencky", "plate", "point", "disc", "sphere-pretension", "tip-pretension"}) {
     EXPECT_NE(all.out.find(std::string(name) + "\n"), std::string::npos) << name;
     const Outcome help = run_validate({"model", name, "--help"}, folder.path());
     EXPECT_EQ(help.exit_code, 0);
-    for (const char* word : {"holds for:", "source:", "--depths"}) EXPECT_NE(help.out.find(word), std::string::npos) << help.out;
+    for (const char* word : {"holds for:", "source:", "--depths"})
+      EXPECT_NE(help.out.find(word), std::string::npos) << help.out;
   }
   const Outcome unknown = run_validate({"model", "eq17"}, folder.path());
   EXPECT_EQ(unknown.exit_code, 2);
@@ -91,9 +99,11 @@ TEST(ModelCommand, ListsAndDescribes) {
 
 TEST(ModelCommand, GivesForces) {
   const WorkFolder folder;
-  // Eq. 16 with the averages of Lee et al.: 102.64 nm at 1500 nN, a = 0.5 µm (inverse by hand: see eq16_test.cpp).
-  const Outcome outcome = run_validate({"model", "eq16", "--radius", "0.5 um", "--nu", "0.165", "--Eh", "342 N/m", "--pretension",
-                                        "0.34 N/m", "--depths", "102.64 nm"}, folder.path());
+  // Eq. 16 with the averages of Lee et al.: 102.64 nm at 1500 nN, a = 0.5 µm (inverse by hand: see
+  // eq16_test.cpp).
+  const Outcome outcome = run_validate({"model", "eq16", "--radius", "0.5 um", "--nu", "0.165", "--Eh",
+                                        "342 N/m", "--pretension", "0.34 N/m", "--depths", "102.64 nm"},
+                                       folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NEAR(std::stod(outcome.out.substr(outcome.out.rfind(',') + 1)), 1500, 0.5) << outcome.out;
 }

@@ -1,8 +1,8 @@
 // Measured curves: what is read from a file, what is found in it, and what is said of it.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -39,8 +39,8 @@ class Measured : public testing::Test {
 };
 
 TEST_F(Measured, UnitsComeFromTheHeader) {
-  for (const char* header : {"depth_nm,force_nN", "Depth (nm),Force (nN)", "indentation [nm], load [nN]", "depth nm,force nN",
-                             "depth/nm,force/nN"}) {
+  for (const char* header : {"depth_nm,force_nN", "Depth (nm),Force (nN)", "indentation [nm], load [nN]",
+                             "depth nm,force nN", "depth/nm,force/nN"}) {
     const MeasuredCurve curve = read(std::string(header) + "\n2.5,10\n+5e0,20.5\n");
     EXPECT_EQ(curve.depth_A, (std::vector{25.0, 50.0})) << header;
     EXPECT_NEAR(curve.force_eV_per_A[1], 20.5 / nN_per_eV_per_A, 1e-12) << header;
@@ -49,7 +49,8 @@ TEST_F(Measured, UnitsComeFromTheHeader) {
 }
 
 TEST_F(Measured, TheProgramsOwnCurvesCanBeRead) {
-  const MeasuredCurve curve = read("# run.0.model: membrane\nrun,depth_A,conjugate_depth_A,force_eV_per_A\n0,2,1.9,0.5\n");
+  const MeasuredCurve curve =
+      read("# run.0.model: membrane\nrun,depth_A,conjugate_depth_A,force_eV_per_A\n0,2,1.9,0.5\n");
   EXPECT_EQ(curve.depth_A, std::vector{2.0});
   EXPECT_EQ(curve.force_eV_per_A, std::vector{0.5});
 }
@@ -66,9 +67,11 @@ TEST_F(Measured, ColumnsCanBeChosenAndSeparatorsVary) {
 }
 
 TEST_F(Measured, WhatIsWrongIsNamedWithItsLine) {
-  const auto expect = [&](const std::string& content, std::initializer_list<const char*> words, const ColumnChoice& choice = {}) {
+  const auto expect = [&](const std::string& content, std::initializer_list<const char*> words,
+                          const ColumnChoice& choice = {}) {
     const std::string message = refusal(content, choice);
-    for (const char* word : words) EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
+    for (const char* word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
   };
   expect("", {"empty", "depth_nm,force_nN"});
   expect("depth,force_nN\n1,2\n", {":1:", "'depth' has no unit", "depth_nm"});
@@ -143,7 +146,8 @@ TEST(MeasuredFit, RefusesWhatCannotBeFitted) {
 }
 
 bool says(const std::vector<std::string>& warnings, const std::string& words) {
-  return std::ranges::any_of(warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  return std::ranges::any_of(warnings,
+                             [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 Fit good_fit() {

@@ -59,12 +59,18 @@ TEST(RunH5Read, RefusesWhatIsNoRun) {
   EXPECT_NE(refusal(folder / "cut.h5"), "accepted");
 }
 
-TEST(Html, EscapesMarkup) { EXPECT_EQ(html::escaped("<a href=\"x\">&"), "&lt;a href=&quot;x&quot;&gt;&amp;"); }
+TEST(Html, EscapesMarkup) {
+  EXPECT_EQ(html::escaped("<a href=\"x\">&"), "&lt;a href=&quot;x&quot;&gt;&amp;");
+}
 
 TEST(Html, GivesEachDrawingItsOwnIds) {
-  const std::string svg = html::inline_svg("<?xml?><svg><title>Gnuplot</title><g id=\"p\"/><use xlink:href='#p' fill='url(#q)' stroke='#0072B2'/></svg>",
-                                           "f1-", "a < b");
-  EXPECT_EQ(svg, "<svg><title>a &lt; b</title><g id=\"f1-p\"/><use xlink:href='#f1-p' fill='url(#f1-q)' stroke='#0072B2'/></svg>");
+  const std::string svg = html::inline_svg(
+      "<?xml?><svg><title>Gnuplot</title><g id=\"p\"/><use xlink:href='#p' fill='url(#q)' "
+      "stroke='#0072B2'/></svg>",
+      "f1-", "a < b");
+  EXPECT_EQ(svg,
+            "<svg><title>a &lt; b</title><g id=\"f1-p\"/><use xlink:href='#f1-p' fill='url(#f1-q)' "
+            "stroke='#0072B2'/></svg>");
 }
 
 TEST(Report, SaysWhatWasFound) {
@@ -73,9 +79,10 @@ TEST(Report, SaysWhatWasFound) {
   write_report_in(result, folder.path());
   EXPECT_EQ(folder.entries(), 1u) << "nothing but the page";
   const std::string page = folder.read("report.html");
-  for (const char* words : {"<b>Agreement</b>", "atoms, disc", "membrane, point, paper constants", "Where continuum and atoms part",
-                            "its bias", "How far to trust the fits", "17244 atoms", "SHA-256", "validate indentation --radius 110",
-                            "viewport", "@media print", "<svg"})
+  for (const char* words :
+       {"<b>Agreement</b>", "atoms, disc", "membrane, point, paper constants",
+        "Where continuum and atoms part", "its bias", "How far to trust the fits", "17244 atoms", "SHA-256",
+        "validate indentation --radius 110", "viewport", "@media print", "<svg"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
   Result failing = result;
   failing.agreement->passed = false;
@@ -86,7 +93,8 @@ TEST(Report, AsksForNothingFromOutside) {
   const TemporaryFolder folder;
   write_report_in(sample::full(), folder.path());
   const std::string page = folder.read("report.html");
-  for (const char* words : {"<script", "<link", "src=", "@import", "url(http", "href=\"http", "href='http", "<iframe"})
+  for (const char* words :
+       {"<script", "<link", "src=", "@import", "url(http", "href=\"http", "href='http", "<iframe"})
     EXPECT_EQ(page.find(words), std::string::npos) << words;
 }
 
