@@ -26,7 +26,7 @@ std::vector<double> levels_around(const std::vector<double>& depth) {
 membrane::Problem problem_of(const MembraneTip& tip, double Eh, double pretension,
                              const std::vector<double>& depth) {
   membrane::Problem problem;
-  problem.sheet.radius_A = tip.a_A;
+  problem.sheet = membrane::DiscSheet{.radius_A = tip.a_A};
   problem.law = membrane::StVenantKirchhoff{Eh, tip.nu};
   problem.prestress_eV_per_A2 = pretension * Eigen::Matrix2d::Identity();
   problem.load =
