@@ -47,10 +47,6 @@ void select_points(MeasuredResult& result, const MeasuredOptions& options, std::
 /// The membrane is fitted where the closed form's offsets put the zeros.
 void fit_the_membrane(MeasuredResult& result, const MeasuredOptions& options, const ClosedForm& form,
                       const std::vector<double>& sigma) {
-  if (form.tip == TipShape::sphere || form.pressure) {
-    result.direct_skipped = "the membrane with this load is not fitted";
-    return;
-  }
   const double shift = result.fit.depth_offset_A.value_or(0),
                lift = result.fit.force_offset_eV_per_A.value_or(0);
   std::vector<double> depth, force, spread;
@@ -61,7 +57,7 @@ void fit_the_membrane(MeasuredResult& result, const MeasuredOptions& options, co
     if (!sigma.empty()) spread.push_back(sigma[i]);
   }
   const ModelGeometry& m = options.geometry;
-  const MembraneTip tip{m.a_A, m.nu, m.tip_A, 0};
+  const MembraneTip tip{m.a_A, m.nu, m.tip_A, 0, options.sphere};
   const MembraneFitReport report = fit_membrane(tip, depth, force, spread);
   if (!report.converged) {
     result.direct_skipped = report.reason;

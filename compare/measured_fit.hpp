@@ -16,6 +16,7 @@ namespace compare {
 /// What the user says about the experiment.
 struct MeasuredOptions {
   ModelGeometry geometry;               ///< radius, ν, tip radius, κ
+  bool sphere = true;                   ///< the tip; else a disc of uniform load
   std::string model = "eq16";           ///< closed form that is fitted
   double depth_min_A = 0;               ///< points used: from this depth (after the shift) …
   std::optional<double> depth_max_A;    ///< … to this one

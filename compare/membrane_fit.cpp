@@ -8,36 +8,43 @@
 #include "compare/curve.hpp"
 #include "compare/fit.hpp"
 #include "compare/models/list.hpp"
-#include "membrane/problem.hpp"
+#include "membrane/axisymmetric/sheet.hpp"
 
 namespace compare {
 namespace {
 
+namespace sheet = membrane::axisymmetric;
+
 /// Controlled depths, in equal ratios, whose depths of record enclose the given ones: the conjugate depth is
 /// the smaller of the two, by half of it at most.
-std::vector<double> levels_around(const std::vector<double>& depth) {
-  constexpr int count = 16;
+std::vector<double> levels_around(const std::vector<double>& depth, int count) {
   const double low = 0.5 * std::ranges::min(depth), high = 1.02 * std::ranges::max(depth);
   std::vector<double> levels;
   for (int i = 0; i < count; ++i) levels.push_back(low * std::pow(high / low, i / (count - 1.0)));
   return levels;
 }
 
-membrane::Problem problem_of(const MembraneTip& tip, double Eh, double pretension,
-                             const std::vector<double>& depth) {
-  membrane::Problem problem;
-  problem.sheet = membrane::DiscSheet{.radius_A = tip.a_A};
+sheet::Load load_of(const MembraneTip& tip) {
+  if (!(tip.tip_A > 0)) return sheet::PointLoad{};
+  if (tip.sphere) return sheet::SphereLoad{tip.tip_A};
+  return sheet::DiscLoad{tip.tip_A};
+}
+
+sheet::SheetProblem problem_of(const MembraneTip& tip, double Eh, double pretension,
+                               const std::vector<double>& depth, int levels) {
+  sheet::SheetProblem problem;
+  problem.radius_A = tip.a_A;
   problem.law = membrane::StVenantKirchhoff{Eh, tip.nu};
-  problem.prestress_eV_per_A2 = pretension * Eigen::Matrix2d::Identity();
-  problem.load =
-      tip.tip_A > 0 ? membrane::Load(membrane::DiscLoad{tip.tip_A}) : membrane::Load(membrane::PointLoad{});
+  problem.pretension_eV_per_A2 = pretension;
+  problem.load = load_of(tip);
   problem.record_radius_A = tip.record_radius_A;
-  problem.levels = levels_around(depth);
+  problem.levels = levels_around(depth, levels);
   return problem;
 }
 
 AnyCurveModel shallow_model(const MembraneTip& tip) {
-  return closed_form("foeppl", "").make({tip.a_A, tip.nu, tip.tip_A, 0});
+  const bool sphere = tip.sphere && tip.tip_A > 0;
+  return closed_form(sphere ? "sphere-pretension" : "foeppl", "").make({tip.a_A, tip.nu, tip.tip_A, 0});
 }
 
 /// Force of the membrane over force of the shallow one, interpolated in the depth: close to 1 and smooth.
@@ -47,26 +54,43 @@ class ForceRatio {
              const AnyCurveModel& shallow)
       : curve_(ratios(tip, Eh, pretension, depth, shallow)) {}
 
+  /// Why the membrane's path ended before the deepest point; empty: it did not. Beyond it the ratio stays as
+  /// it is, which is good enough for a first guess of E·h and pretension, not for the last.
+  const std::string& ended_early() const { return ended_early_; }
+
   double at(double depth) const {
     const auto ratio = curve_.at(std::clamp(depth, curve_.lowest_A(), curve_.highest_A()));
     return ratio.value_or(1);
   }
 
  private:
-  static Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
-                      const AnyCurveModel& shallow) {
+  /// Contact spreads from level to level, and may ask for other steps than the first ones tried.
+  Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
+               const AnyCurveModel& shallow) {
+    const std::vector<int> counts = tip.sphere ? std::vector{48, 67, 31} : std::vector{16, 48};
     const double parameters[] = {Eh, pretension};
     std::vector<double> at, ratio;
-    const membrane::Report report =
-        membrane::solve(problem_of(tip, Eh, pretension, depth), [&](const membrane::Step& step) {
-          at.push_back(step.depth_A);
-          ratio.push_back(step.force_eV_per_A / shallow.value(step.depth_A, parameters));
-          return true;
-        });
-    if (!report.converged) throw std::runtime_error("the membrane did not converge: " + report.reason);
+    for (const int count : counts) {
+      std::vector<double> reached, found;
+      const sheet::SheetReport report =
+          sheet::solve(problem_of(tip, Eh, pretension, depth, count), [&](const sheet::SheetStep& step) {
+            if (!step.converged) return false;
+            reached.push_back(step.depth_A);
+            found.push_back(step.force_eV_per_A / shallow.value(step.depth_A, parameters));
+            return true;
+          });
+      ended_early_ = report.converged ? "" : "the membrane did not converge: " + report.reason;
+      if (reached.size() > 1 && (at.empty() || reached.back() > at.back())) {
+        at = reached;
+        ratio = found;
+      }
+      if (report.converged) break;
+    }
+    if (at.size() < 4) throw std::runtime_error(ended_early_);
     return Curve(at, ratio);
   }
 
+  std::string ended_early_;  // before curve_, whose making sets it
   Curve curve_;
 };
 
@@ -91,10 +115,34 @@ std::vector<double> membrane_forces(const MembraneTip& tip, double Eh, double pr
                                     const std::vector<double>& depth) {
   const AnyCurveModel shallow = shallow_model(tip);
   const ForceRatio ratio(tip, Eh, pretension, depth, shallow);
+  if (!ratio.ended_early().empty()) throw std::runtime_error(ratio.ended_early());
   const double parameters[] = {Eh, pretension};
   std::vector<double> force;
   for (const double d : depth) force.push_back(ratio.at(d) * shallow.value(d, parameters));
   return force;
+}
+
+SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double pretension,
+                       const std::vector<double>& depth) {
+  sheet::SheetProblem problem = problem_of(tip, 1, pretension, depth, 2);
+  problem.law = law;
+  constexpr int parts = 5;  // between the depths asked for, so that the solver keeps to its path
+  problem.levels.clear();
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const double before = i == 0 ? 0 : depth[i - 1];
+    for (int k = 1; k <= parts; ++k)
+      problem.levels.push_back(std::lerp(before, depth[i], static_cast<double>(k) / parts));
+  }
+  SheetCurve curve;
+  const sheet::SheetReport report = sheet::solve(problem, [&](const sheet::SheetStep& step) {
+    if (!step.converged) return false;
+    if ((step.level + 1) % parts != 0) return true;
+    curve.depth_A.push_back(step.depth_A);
+    curve.force_eV_per_A.push_back(step.force_eV_per_A);
+    return true;
+  });
+  if (!report.converged) curve.ended_early = report.reason;
+  return curve;
 }
 
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth,
@@ -116,14 +164,16 @@ MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>
       const ForceRatio ratio(tip, parameters[0], std::max(parameters[1], 0.0), depth, shallow);
       fit = least_squares(scaled(shallow, ratio), depth, force, parameters, options);
       if (!fit.converged) break;
+      result.reason = ratio.ended_early();
       const double largest = std::max(std::abs(fit.parameters[1]), 1e-3 * fit.standard_errors[1]);
       if (std::abs(fit.parameters[0] - parameters[0]) > same * fit.parameters[0]) continue;
       if (std::abs(fit.parameters[1] - parameters[1]) > same * largest + 1e-9 * fit.parameters[0]) continue;
-      result.converged = true;
+      result.converged = result.reason.empty();
       break;
     }
     if (!result.converged) {
-      result.reason = fit.converged ? "E·h and pretension did not settle" : fit.reason;
+      if (result.reason.empty())
+        result.reason = fit.converged ? "E·h and pretension did not settle" : fit.reason;
       return result;
     }
     result.fit = {fit.parameters[0], fit.standard_errors[0], fit.parameters[1], fit.standard_errors[1],

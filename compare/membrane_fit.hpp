@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "compare/result.hpp"
+#include "membrane/laws/list.hpp"
 
 namespace compare {
 
 /// A clamped sheet and its tip, without E·h and pretension.
 struct MembraneTip {
   double a_A = 0, nu = 0;
-  double tip_A = 0;            ///< radius of the loaded disc; 0: a point
+  double tip_A = 0;            ///< radius of the loaded disc or of the sphere; 0: a point
   double record_radius_A = 0;  ///< where the depth is taken; 0: the centre
+  bool sphere = false;         ///< rigid and frictionless; else a dead load
 };
 
 struct MembraneFitReport {
@@ -23,14 +25,23 @@ struct MembraneFitReport {
   std::vector<double> residual_eV_per_A;
 };
 
-/// Forces (eV/Å) of a membrane at depths of record (Å).
+/// Forces (eV/Å) of a membrane at depths of record (Å). Throws std::runtime_error where the membrane is not solved.
 std::vector<double> membrane_forces(const MembraneTip& tip, double Eh_eV_per_A2, double pretension_eV_per_A2,
                                     const std::vector<double>& depth_A);
 
-/// Least squares with the finite-strain membrane. The shallow membrane's closed form gives the derivatives:
-/// its curve, times the ratio of the two models at the last E·h and pretension, is fitted until neither
-/// changes by more than 1e-6. The ratio hardly depends on them, so two to four curves are enough. `sigma`
-/// (eV/Å) weights the points; empty: all alike. Not converging is reported, not thrown.
+struct SheetCurve {
+  std::vector<double> depth_A, force_eV_per_A;
+  std::string ended_early;  ///< why a depth was not reached; empty: all were
+};
+
+/// The curve of a sheet of any law at controlled depths, as far as it goes: a law that softens ends where the sheet fails.
+SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double pretension_eV_per_A2,
+                       const std::vector<double>& depth_A);
+
+/// Least squares with the finite-strain membrane, solved in one dimension. A closed form (the shallow membrane, or for a
+/// sphere its limits) gives the derivatives: its curve, times the ratio of the two models at the last E·h and pretension,
+/// is fitted until neither changes by more than 1e-6. The ratio changes little, so few curves are enough. `sigma` (eV/Å)
+/// weights the points; empty: all alike. Not converging is reported, not thrown.
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth_A,
                                const std::vector<double>& force_eV_per_A,
                                const std::vector<double>& sigma_eV_per_A);

@@ -224,9 +224,9 @@ void add_biases(Result& result) {
 
 void add_direct_fits(Result& result) {
   for (Run& run : result.runs) {
-    if (!run.fit || run.model != Model::atomistic) continue;
+    if (!run.fit) continue;
     const Points points = usable(run);
-    const MembraneTip tip{run.a_A, run.nu, run.tip_A, run.record_radius_A};
+    const MembraneTip tip{run.a_A, run.nu, run.tip_A, run.record_radius_A, run.load == "sphere"};
     const MembraneFitReport report = fit_membrane(tip, points.depth, points.force, {});
     if (report.converged) run.fit->direct = report.fit;
   }

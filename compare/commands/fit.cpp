@@ -24,12 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array<std::string_view, 2> tip_names = {"sphere", "disc"};
 constexpr std::array<std::string_view, 3> weight_names = {"uniform", "relative", "sigma"};
 
 /// The flags as they were typed; a key of the file's remarks stands in for one that was not.
 struct FitFlags {
   std::vector<std::string> files;
-  std::string radius, nu, tip_radius, bending, model = "eq16", weights = "uniform";
+  std::string radius, nu, tip, tip_radius, bending, model = "eq16", weights = "uniform";
   std::string depth_column, force_column, sigma_column;
   std::string depth_min, depth_max, baseline, contact;
   bool fit_force_zero = false, quiet = false;
@@ -88,6 +89,12 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve) {
   o.model = flags.model;
   const ClosedForm& form = closed_form(o.model, "--model");
   if (form.pressure) throw bad_input("--model: '{}' gives a pressure, not a force", o.model);
+  const Given shape = given("tip", flags.tip, curve);
+  if (!shape.text.empty())
+    o.sphere = parse_text(Field{.name = "tip", .choices = tip_names}, shape.text, shape.label) == "sphere";
+  if (o.geometry.tip_A > 0 && form.tip != TipShape::none && (form.tip == TipShape::sphere) != o.sphere)
+    throw bad_input("--model: '{}' is for a {}, the tip is a {} (--tip)", o.model, o.sphere ? "disc" : "sphere",
+                    o.sphere ? "sphere" : "disc");
   if (form.tip == TipShape::sphere && o.geometry.tip_A == 0)
     throw bad_input("--tip-radius: is needed by the model '{}'", o.model);
   o.depth_min_A = optional_length("depth-min", flags.depth_min, not_negative(), 0);
@@ -153,12 +160,12 @@ int fit(const FitFlags& flags) {
 
 constexpr const char* examples =
     R"TXT(A file is a table with units in its header: depth_nm,force_nN or "depth (nm)", "force [nN]". Lines of the form
-"# radius: 0.5 um" (also nu, tip-radius) stand in for flags that are not given. validate model lists the models.
+"# radius: 0.5 um" (also nu, tip, tip-radius) stand in for flags that are not given. validate model lists the models.
 
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit *.csv --radius "0.5 um" --nu 0.165 --baseline 0 --contact fit --out fits
-  validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --weights relative --json -)TXT";
+  validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
 
 }  // namespace
 
@@ -172,7 +179,8 @@ void add_fit(CLI::App& app, int& exit_code) {
   };
   text("--radius", flags->radius, "radius of the suspended sheet; > 0 Å");
   text("--nu", flags->nu, "Poisson's ratio; > -1 and < 1", "NUMBER");
-  text("--tip-radius", flags->tip_radius, "radius of the loaded disc (or sphere); 0 is a point; default 0");
+  text("--tip", flags->tip, "shape of the tip; sphere, disc; default sphere", "NAME");
+  text("--tip-radius", flags->tip_radius, "radius of the tip; 0 is a point; default 0");
   text("--bending", flags->bending, "bending modulus in eV, for the model plate and the warnings", "NUMBER");
   text("--model", flags->model, "closed form to fit; default eq16", "NAME");
   text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform",

@@ -12,6 +12,7 @@
 #include "compare/models/eq16.hpp"
 #include "compare/run_fit.hpp"
 #include "compare/units.hpp"
+#include "membrane/laws/list.hpp"
 
 namespace compare {
 namespace {
@@ -60,15 +61,31 @@ double depth_at(const std::vector<double>& depth, const std::vector<double>& for
 
 struct Tip {
   double radius_A;
+  bool sphere;
   const char* name;
   const char* style;
 };
 
 /// A point is a disc of 1e-4 of the radius: a finer mesh changes nothing then.
 std::vector<Tip> tips(double a) {
-  return {{1e-4 * a, "membrane, point", "lines lc rgb '#0072B2' lw 2"},
-          {16.5 * nm, "membrane, disc of 16.5 nm", "lines lc rgb '#D55E00' lw 2"},
-          {27.5 * nm, "membrane, disc of 27.5 nm", "lines lc rgb '#009E73' lw 2 dt '-'"}};
+  return {{1e-4 * a, false, "membrane, point", "lines lc rgb '#0072B2' lw 2"},
+          {16.5 * nm, false, "membrane, disc of 16.5 nm", "lines lc rgb '#D55E00' lw 1 dt '-'"},
+          {16.5 * nm, true, "membrane, sphere of 16.5 nm", "lines lc rgb '#D55E00' lw 2"},
+          {27.5 * nm, true, "membrane, sphere of 27.5 nm", "lines lc rgb '#009E73' lw 2"}};
+}
+
+struct NamedLaw {
+  membrane::Law law;
+  const char* name;
+  const char* style;
+};
+
+/// Laws that part from St Venant–Kirchhoff's at large strain, under the disc of 16.5 nm.
+std::vector<NamedLaw> other_laws() {
+  return {
+      {membrane::neo_hookean(Eh, nu), "neo-Hookean, disc of 16.5 nm", "lines lc rgb '#CC79A7' lw 1.5 dt '_'"},
+      {membrane::LeeGraphene{Eh, nu}, "Lee et al.'s softening law, disc of 16.5 nm",
+       "lines lc rgb '#E69F00' lw 1.5 dt '-.'"}};
 }
 
 void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip,
@@ -109,7 +126,8 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
   int index = 0;
   for (const Tip& tip : tips(a)) {
     context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
-    const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0}, Eh, pretension, depths(a));
+    const std::vector<double> force =
+        membrane_forces({a, nu, tip.radius_A, 0, tip.sphere}, Eh, pretension, depths(a));
     panel.curves.push_back(
         {tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
     if (a == 5000 && index < 2)
@@ -118,6 +136,18 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
                                 depth_at(depths(a), force, 1500), 1e-3, ""});
     ++index;
     compare_with_experiment(figure, a, tip, force);
+  }
+  for (const NamedLaw& other : other_laws()) {
+    const SheetCurve curve = sheet_curve({a, nu, 16.5 * nm, 0, false}, other.law, pretension, depths(a));
+    if (!curve.ended_early.empty())
+      context.progress.say(fmt::format("figure 1: {} ends at {:.3g} nm: {}", other.name,
+                                       curve.depth_A.empty() ? 0 : curve.depth_A.back() / nm,
+                                       curve.ended_early));
+    panel.curves.push_back({other.name,
+                            times(curve.depth_A, 1 / nm),
+                            times(curve.force_eV_per_A, nN_per_eV_per_A),
+                            {},
+                            other.style});
   }
   if (a == 5000)
     figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64,

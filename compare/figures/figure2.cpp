@@ -87,20 +87,20 @@ void add_runs(FigurePanel& point, FigurePanel& disc, const Result& result, const
   }
 }
 
-void add_ratios(FigurePanel& panel, const Result& result, const std::string& potential, const char* colour) {
+void add_ratios(FigurePanel& point, FigurePanel& disc, const Result& result, const std::string& potential,
+                const char* colour) {
   for (const Comparison& c : result.comparisons) {
-    FigureCurve curve{.name = fmt::format("{}, {}", potential, c.load),
+    FigureCurve curve{.name = potential,
                       .x = {},
                       .y = {},
                       .y_high = {},
-                      .style = fmt::format("linespoints pt {} ps 0.6 lw 1.2 lc rgb '{}'",
-                                           c.load == "point" ? 6 : 7, colour)};
+                      .style = fmt::format("linespoints pt 7 ps 0.6 lw 1.2 lc rgb '{}'", colour)};
     for (std::size_t i = 0; i < c.depth_A.size(); ++i) {
       if (c.regime[i] == Regime::artefact) continue;
       curve.x.push_back(c.depth_relative[i]);
       curve.y.push_back(c.force_ratio[i]);
     }
-    panel.curves.push_back(std::move(curve));
+    (c.load == "point" ? point : disc).curves.push_back(std::move(curve));
   }
 }
 
@@ -130,8 +130,8 @@ void add_numbers(PaperFigure& figure) {
     for (int i = 1; i <= 40; ++i) d.push_back(0.85 * i);
     return Curve(membrane_forces({radius_A, paper_nu, tip, 0}, paper_Eh, 0, d), d).at(force).value_or(NAN);
   };
-  figure.numbers.push_back({"membrane, paper's constants, point: depth at 20 eV/Å", "Å", separate, 31.62,
-                            depth(1e-4 * radius_A), 1e-3, ""});
+  figure.numbers.push_back(
+      {"membrane, paper's constants, point: depth at 20 eV/Å", "Å", separate, 31.62, depth(0), 1e-3, ""});
   figure.numbers.push_back({"membrane, paper's constants, disc of 10 Å: depth at 20 eV/Å", "Å", separate,
                             28.113, depth(tip_A), 1e-3, ""});
   std::vector<double> d, eq16;
@@ -160,6 +160,18 @@ FigurePanel force_panel(const char* title) {
           {}};
 }
 
+FigurePanel ratio_panel(const std::string& load) {
+  return {
+      "atoms over membrane, " + load,
+      "depth / effective radius",
+      "force ratio",
+      "depth_relative",
+      "force_ratio",
+      "set xrange [0:0.25]\nset yrange [0.8:1.5]\nset key inside right top Left reverse samplen 2 font ',9'\n"
+      "set arrow from 0,1 to 0.25,1 nohead lc rgb 'black' lw 0.6\n",
+      {}};
+}
+
 }  // namespace
 
 PaperFigure figure2(const FigureContext& context) {
@@ -168,20 +180,13 @@ PaperFigure figure2(const FigureContext& context) {
                      .panels = {},
                      .numbers = {}};
   FigurePanel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
-  FigurePanel ratio{"atoms over membrane",
-                    "depth / effective radius",
-                    "force ratio",
-                    "depth_relative",
-                    "force_ratio",
-                    "set xrange [0:*]\nset yrange [0.7:1.5]\nset key outside right center Left reverse "
-                    "samplen 2 font ',9'\n",
-                    {}};
+  FigurePanel point_ratio = ratio_panel("point"), disc_ratio = ratio_panel("disc");
   for (std::size_t i = 0; i < context.potentials.size(); ++i) {
     const std::string& potential = context.potentials[i];
     const std::string name = std::filesystem::path(potential).stem().string();
     const StudyOutcome outcome = study(potential, context);
     add_runs(point, disc, outcome.result, name, colours[i % colours.size()], i == 0);
-    add_ratios(ratio, outcome.result, name, colours[i % colours.size()]);
+    add_ratios(point_ratio, disc_ratio, outcome.result, name, colours[i % colours.size()]);
     add_moduli(figure, outcome.result, name);
     if (i == 0) {
       add_plates(point, outcome.result, 0);
@@ -189,7 +194,7 @@ PaperFigure figure2(const FigureContext& context) {
     }
   }
   add_numbers(figure);
-  figure.panels = {point, disc, ratio};
+  figure.panels = {point, disc, point_ratio, disc_ratio};
   return figure;
 }
 

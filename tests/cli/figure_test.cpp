@@ -33,7 +33,7 @@ TEST(Figure, OneIsMade) {
   const Outcome outcome = run_validate({"figure", "1", "--out", "f", "--quiet"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   expect_complete(folder.path() / "f", "figure1",
-                  {"membrane, point", "disc of 16.5 nm", "disc of 27.5 nm", "342 ± 30", "a = 0.75"});
+                  {"membrane, point", "disc of 16.5 nm", "sphere of 27.5 nm", "neo-Hookean", "softening law", "342 ± 30", "a = 0.75"});
   EXPECT_FALSE(fs::exists(folder.path() / "f" / "work"));
   EXPECT_NE(outcome.out.find("depth at 1500 nN"), std::string::npos);
 }

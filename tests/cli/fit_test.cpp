@@ -75,6 +75,8 @@ TEST(FitCommand, BadInputIsNamed) {
          {"--weights sigma", "column"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "equal"},
          {"--weights", "uniform"});
+  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--tip", "cube"}, {"--tip", "sphere, disc"});
+  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--tip-radius", "10 nm", "--model", "foeppl"}, {"foeppl", "disc", "--tip"});
   expect({"short.csv", "--radius", "0.5 um", "--nu", "0.165"}, {"short.csv", "needs 4"});
   expect({"none.csv", "--radius", "0.5 um", "--nu", "0.165"}, {"none.csv"});
   expect({"curve.csv", "--radios", "0.5 um"}, {"'--radius'?"});

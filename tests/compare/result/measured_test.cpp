@@ -89,6 +89,7 @@ TEST_F(Measured, WhatIsWrongIsNamedWithItsLine) {
 MeasuredOptions drum(double tip_A = 165) {
   MeasuredOptions options;
   options.geometry = {5000, 0.165, tip_A, 0};
+  options.sphere = false;
   options.fit.bootstrap_samples = 0;
   return options;
 }

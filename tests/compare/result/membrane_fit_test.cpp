@@ -28,13 +28,16 @@ std::vector<double> depths() {
 struct Synthetic {
   const char* name;
   double tip_A, pretension_N_per_m;
+  bool sphere;
+  double low,
+      high;  ///< what Eq. 16 reads over the true pretension, minus 1: the range published for such tips
 };
 
 class Drum : public testing::TestWithParam<Synthetic> {};
 
 TEST_P(Drum, GivesBackItsConstants) {
   const Synthetic& asked = GetParam();
-  const MembraneTip tip{5000, 0.165, asked.tip_A, 0};
+  const MembraneTip tip{5000, 0.165, asked.tip_A, 0, asked.sphere};
   const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2,
                pretension = asked.pretension_N_per_m / N_per_m_per_eV_per_A2;
   const auto d = depths();
@@ -44,22 +47,34 @@ TEST_P(Drum, GivesBackItsConstants) {
   ASSERT_TRUE(direct.converged) << direct.reason;
   EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / Eh, 1, 5e-4);
   EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / pretension, 1, 5e-3);
-  EXPECT_LE(direct.iterations, 6);
+  EXPECT_LE(direct.iterations, 20);
 
-  // Eq. 16 does not: 24 to 44 % of the pretension are missing, or for the largest tip E·h is too high.
+  // Eq. 16 does not: it misses a quarter to all of the pretension, and its sign with a large sphere at 0.07
+  // N/m.
   const auto eq16 = std::get<Fit>(fit_curve(any_model(Eq16{5000, 0.165}), d, force));
-  EXPECT_GT(std::abs(eq16.pretension_eV_per_A2 / pretension - 1), 0.15);
+  EXPECT_GT(eq16.pretension_eV_per_A2 / pretension - 1, asked.low);
+  EXPECT_LT(eq16.pretension_eV_per_A2 / pretension - 1, asked.high);
   EXPECT_LT(eq16.rms_relative, 0.005) << "and the residuals do not show it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Curves, Drum,
-                         testing::Values(Synthetic{"point_007", 0, 0.07}, Synthetic{"point_034", 0, 0.34},
-                                         Synthetic{"point_074", 0, 0.74}, Synthetic{"disc_007", 165, 0.07},
-                                         Synthetic{"disc_034", 165, 0.34}, Synthetic{"disc_074", 165, 0.74}),
+                         testing::Values(Synthetic{"point_007", 0, 0.07, false, -0.44, -0.24},
+                                         Synthetic{"point_034", 0, 0.34, false, -0.44, -0.24},
+                                         Synthetic{"point_074", 0, 0.74, false, -0.44, -0.24},
+                                         Synthetic{"disc_007", 165, 0.07, false, -0.44, -0.2},
+                                         Synthetic{"disc_034", 165, 0.34, false, -0.44, -0.2},
+                                         Synthetic{"disc_074", 165, 0.74, false, -0.44, -0.24},
+                                         Synthetic{"sphere165_007", 165, 0.07, true, -0.9, -0.6},
+                                         Synthetic{"sphere165_034", 165, 0.34, true, -0.44, -0.24},
+                                         Synthetic{"sphere165_074", 165, 0.74, true, -0.44, -0.24},
+                                         Synthetic{"sphere275_007", 275, 0.07, true, -2, -1},
+                                         Synthetic{"sphere275_034", 275, 0.34, true, -0.44, -0.24},
+                                         Synthetic{"sphere275_074", 275, 0.74, true, -0.44, -0.24}),
                          [](const auto& test) { return test.param.name; });
 
-// The curve is made by the shallow closed form, which the finite elements know nothing of: at depths of up to
-// 0.1 of the radius both are the same theory to a few parts in 10⁴, so this is not a model fitted to itself.
+// The curve is made by the shallow closed form, which the finite-strain solver knows nothing of: at depths of
+// up to 0.1 of the radius both are the same theory to a few parts in 10⁴, so this is not a model fitted to
+// itself.
 TEST(MembraneFit, AgreesWithTheShallowTheoryWhereThatHolds) {
   const MembraneTip tip{5000, 0.165, 165, 0};
   const double truth[] = {Eh_N_per_m / N_per_m_per_eV_per_A2, 0.34 / N_per_m_per_eV_per_A2};
