@@ -29,6 +29,7 @@ inline constexpr std::string_view force = "eV/Å";
 inline constexpr std::string_view membrane_force = "eV/Å²";
 inline constexpr std::string_view stress = "eV/Å³";
 inline constexpr std::string_view energy = "eV";
+inline constexpr std::string_view volume = "Å³";
 inline constexpr std::string_view newton_per_metre = "N/m";
 inline constexpr std::string_view second = "s";
 }  // namespace unit

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/commands/bulge.hpp"
 #include "compare/commands/figure.hpp"
 #include "compare/commands/fit.hpp"
 #include "compare/commands/flags.hpp"
@@ -34,6 +35,7 @@ struct Command {
 
 // Every command of the program.
 constexpr std::array commands = {
+    Command{"bulge", compare::add_bulge},
     Command{"figure", compare::add_figure},
     Command{"fit", compare::add_fit},
     Command{"indentation", compare::add_indentation},

@@ -31,14 +31,6 @@ Voigt prestress_on_axes(const Problem& problem, const Mesh& mesh) {
   return {principal[0], principal[1], 0};
 }
 
-Material material_of(const Problem& problem, const Mesh& mesh) {
-  const Voigt prestress = prestress_on_axes(problem, mesh);
-  const Voigt offset = std::visit([&](const auto& law) { return offset_strain(law, prestress); }, problem.law);
-  if (!offset.allFinite())
-    refuse("prestress_eV_per_A2", prestress.transpose(), "the law cannot carry this prestress");
-  return {problem.law, offset, problem.relaxed};
-}
-
 struct RadiusOfLoad {
   double operator()(const DiscLoad& disc) const { return disc.radius_A; }
   double operator()(const RadialLoad& radial) const { return radial.radius_A.back(); }
@@ -78,6 +70,14 @@ Held all_held(const Mesh& mesh, bool with_indenter) {
 }
 
 }  // namespace
+
+Material material_of(const Problem& problem, const Mesh& mesh) {
+  const Voigt prestress = prestress_on_axes(problem, mesh);
+  const Voigt offset = std::visit([&](const auto& law) { return offset_strain(law, prestress); }, problem.law);
+  if (!offset.allFinite())
+    refuse("prestress_eV_per_A2", prestress.transpose(), "the law cannot carry this prestress");
+  return {problem.law, offset, problem.relaxed};
+}
 
 double load_radius_A(const Load& load) { return std::visit(RadiusOfLoad{}, load); }
 

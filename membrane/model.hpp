@@ -61,6 +61,10 @@ class Model {
   Pattern pattern_;
 };
 
+/// The law of a problem with its prestress, turned to its own axes where a round quarter is meshed: a round sheet of an
+/// isotropic law looks the same from every side. Throws std::invalid_argument for a prestress the law cannot carry.
+Material material_of(const Problem& problem, const Mesh& mesh);
+
 /// Radius on which a load ends, or is likely to end for a sphere; 0 where it has none. Å.
 double load_radius_A(const Load& load);
 

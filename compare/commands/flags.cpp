@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "compare/bulge/bulge_case.hpp"
 #include "compare/errors.hpp"
 #include "compare/units.hpp"
 
@@ -167,6 +168,25 @@ std::vector<Variant> CaseFlags::variants() const {
     for (const auto& radius : list("--radius")) all.push_back({potential, radius});
   return all;
 }
+
+template <class Described>
+void add_flags(CLI::App& command) {
+  const Described defaults;
+  describe(defaults, AddFlag{command});
+}
+
+template <class Described>
+void apply_flags(const CLI::App& command, Described& described, Origins& origins) {
+  describe(described, [&](const Field& field, auto& value) {
+    const CLI::Option& option = *command.get_option(flag_of(field));
+    if (option.count() == 0) return;
+    read(field, option, value);
+    origins[std::string(field.name)] = flag_of(field);
+  });
+}
+
+template void add_flags<BulgeCase>(CLI::App&);
+template void apply_flags<BulgeCase>(const CLI::App&, BulgeCase&, Origins&);
 
 void add_run_options(CLI::App& command, RunOptions& options) {
   const auto add_path = [&](const char* name, std::optional<std::filesystem::path>& path,

@@ -9,13 +9,14 @@ namespace compare {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> suffixes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> suffixes = {{
     {unit::none, ""},
     {unit::length, "_A"},
     {unit::force, "_eV_per_A"},
     {unit::membrane_force, "_eV_per_A2"},
     {unit::stress, "_eV_per_A3"},
     {unit::energy, "_eV"},
+    {unit::volume, "_A3"},
     {unit::newton_per_metre, "_N_per_m"},
     {unit::second, "_s"},
     {nanonewton, "_nN"},

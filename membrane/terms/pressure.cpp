@@ -43,21 +43,23 @@ void Pressure::locate(const Hessian& hessian) {
       places_[t][a] = hessian.place(mesh_.triangles[t].nodes[a], mesh_.triangles[t].nodes[(a + 1) % 3]);
 }
 
+/// The follower load itself, p n dA / 3 on each corner. On what may move it is the gradient of −p V; on the supports it is
+/// what they bear, which the cone's gradient is not.
 double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) {
   if (pressure_ == 0) return 0;
   double volume = 0;
   for (const Triangle& triangle : mesh_.triangles) {
     const Eigen::Matrix3d x = positions(mesh_, triangle, u);
-    for (int a = 0; a < 3; ++a) {
-      const Eigen::Vector3d area = x.col((a + 1) % 3).cross(x.col((a + 2) % 3)) / 6;
-      gradient.segment<3>(3 * triangle.nodes[a]) -= pressure_ * area;
-      if (a == 0) volume += x.col(0).dot(area);
-    }
+    const Eigen::Vector3d area = 0.5 * (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
+    for (int node : triangle.nodes) gradient.segment<3>(3 * node) -= pressure_ / 3 * area;
+    volume += x.col(0).dot(area) / 3;
   }
   return -pressure_ * volume;
 }
 
-/// d(x_b × x_c)/dx_b = −cross(x_c): the block of the corners (a, b) is p cross(x_c)/6, with (a, b, c) in turn.
+/// The gradient of −p V by a corner is −p (x_b × x_c)/6, and d(x_b × x_c)/dx_b = −cross(x_c): the block of the corners
+/// (a, b) is p cross(x_c)/6, with (a, b, c) in turn. Sums over the triangles about a free node are those of the follower
+/// load.
 void Pressure::add_hessian(const Eigen::VectorXd& u, double share, Hessian& hessian) {
   if (pressure_ == 0 || share == 1) return;
   for (std::size_t t = 0; t < places_.size(); ++t) {

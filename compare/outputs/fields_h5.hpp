@@ -1,0 +1,13 @@
+// The fields of solved sheets in HDF5: the same columns as in the VTU files.
+#pragma once
+
+#include "compare/outputs/h5.hpp"
+#include "compare/outputs/sheet_columns.hpp"
+
+namespace compare {
+
+/// A group with nodes (Å, three a node, flat sheet), triangles (three node numbers each) and every column; units,
+/// meanings and the number of components are attributes.
+void write_fields(h5::Group& parent, const std::string& name, const SheetPicture& picture);
+
+}  // namespace compare
