@@ -142,6 +142,23 @@ double Bending::add_gradient(const Eigen::VectorXd& u, const Eigen::VectorXd& ro
   return energy;
 }
 
+double Bending::uncancelled(const Eigen::VectorXd& u) const {
+  std::vector<double> stiffness(edges_.size(), 0);
+  for (const Triangle& triangle : triangles_)
+    for (int i = 0; i < 3; ++i)
+      stiffness[triangle.edges[i]] +=
+          std::pow(fold_share(edges_[triangle.edges[i]].kind), 2) * triangle.stiffness(i, i);
+  double squares = 0;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const HingeSlope slope = slope_of(edges_[e], u);
+    double angle = 0;
+    for (int c = 0; c < corner_count(edges_[e].kind); ++c)
+      angle += slope.segment<3>(3 * c).norm() * u.segment<3>(3 * edges_[e].nodes[c]).norm();
+    squares += std::pow(stiffness[e] * angle, 2) * slope.squaredNorm();
+  }
+  return std::sqrt(squares);
+}
+
 /// Gᵀ Q G, G = dφ/d(nodes, rotations).
 Bending::Part Bending::triangle_part(const Triangle& triangle, const std::vector<Hinge>& hinges) const {
   Part part;
@@ -177,8 +194,7 @@ Bending::Part Bending::fold_part(const Edge& edge, const Hinge& hinge, double mo
 }
 
 void Bending::over_hessian(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations,
-                           const std::function<void(const Part&)>& of_triangle,
-                           const std::function<void(const Part&)>& of_fold) const {
+                           const Visit& of_triangle, const Visit& of_fold) const {
   std::vector<Hinge> hinges;
   hinges.reserve(edges_.size());
   for (const Edge& edge : edges_) hinges.push_back(hinge_of(edge, u));

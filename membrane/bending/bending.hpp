@@ -54,16 +54,20 @@ class Bending {
   double add_gradient(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations, Eigen::VectorXd& by_u,
                       Eigen::VectorXd& by_rotations) const;
 
+  /// Root of the sum of squares of the nodes' forces that each edge's fold would cause if the displacements
+  /// in it did not cancel, eV/Å. Times 1e-16 it is the rounding of the gradient.
+  double uncancelled(const Eigen::VectorXd& u) const;
+
   /// A part of the Hessian over a few nodes and rotations.
   struct Part {
     std::vector<int> nodes, rotations;
     Eigen::MatrixXd k;  ///< three components a node, then the rotations
   };
-  /// Calls visit for the parts whose sum is the Hessian: one a triangle, positive semi-definite, and one a
-  /// fold, for the change of its direction under the moments it bears, which is not.
-  void over_hessian(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations,
-                    const std::function<void(const Part&)>& of_triangle,
-                    const std::function<void(const Part&)>& of_fold) const;
+  /// Calls visit for the parts whose sum is the Hessian, always in the same order: one a triangle, positive
+  /// semi-definite, and one a fold, for the change of its direction under the moments it bears, which is not.
+  using Visit = std::function<void(const Part&)>;
+  void over_hessian(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations, const Visit& of_triangle,
+                    const Visit& of_fold) const;
 
  private:
   enum class Kind { inner, held, free };
