@@ -22,7 +22,7 @@ int report(const ReportFlags& flags) {
   if (fs::is_directory(file)) file /= "run.h5";
   const Result result = read_run_h5(file);
   const fs::path target = flags.out.empty() ? file.parent_path() / "report.html" : fs::path(flags.out);
-  write_report(result, fs::absolute(target));
+  write_report(result, fs::absolute(file).parent_path(), fs::absolute(target));
   fmt::print("{}\n", target.string());
   return 0;
 }

@@ -13,6 +13,7 @@
 #include "compare/interrupt.hpp"
 #include "compare/outputs/atoms_files.hpp"
 #include "compare/outputs/outputs.hpp"
+#include "compare/outputs/report_html.hpp"
 #include "compare/outputs/summary_json.hpp"
 #include "compare/outputs/table.hpp"
 #include "compare/paths.hpp"
@@ -69,6 +70,7 @@ void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& f
       write_deepest_sheet(outcome.result.resolved.potential, load, *outcome.sheet, folder.work(), folder.path());
   const bool table_on_stdout = !options.json || *options.json != "-";
   if (table_on_stdout && !outcome.result.runs.empty()) print_table(outcome.result, stdout);
+  write_report(outcome.result, folder.path(), folder.path() / "report.html");  // last: it shows the sheets
   if (options.json) write_json(outcome.result, options.json->string());
 }
 

@@ -1,6 +1,8 @@
 // A figure of the paper as data: curves in panels, and the numbers to compare with.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,6 +17,14 @@ struct FigureCurve {
   std::vector<double> x, y;
   std::vector<double> y_high;  ///< with it a band from y to y_high
   std::string style;           ///< gnuplot's, behind "with"
+  bool broken = false;         ///< strokes: every two points are a line of their own
+};
+
+/// A value per triangle, drawn as a map over the reference.
+struct FigureField {
+  std::string name, key;  ///< key: name with unit for the data files
+  std::vector<std::array<Eigen::Vector2d, 3>> corners_A;
+  std::vector<double> value;
 };
 
 struct FigurePanel {
@@ -22,6 +32,7 @@ struct FigurePanel {
   std::string x_key, y_key;  ///< names with units for the data files: depth_nm, force_nN
   std::string settings;      ///< more gnuplot settings: ranges, objects
   std::vector<FigureCurve> curves;
+  std::vector<FigureField> fields = {};  ///< at most one is drawn, the curves over it
 };
 
 /// A published number, or one computed with codes written separately, beside ours.
@@ -51,6 +62,8 @@ struct FigureContext {
 
 PaperFigure figure1(const FigureContext&);
 PaperFigure figure2(const FigureContext&);
+PaperFigure figure3(const FigureContext&);
+PaperFigure figure4(const FigureContext&);
 
 /// Every figure that can be made. A further one is a file here, a function and a line in the list.
 struct FigureEntry {

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace compare::html {
 namespace {
 
@@ -27,7 +30,7 @@ p { max-width: 46rem; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; margin: .4rem 0; }
 th, td { padding: .25rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; vertical-align: bottom; } th:first-child, td:first-child { text-align: left; padding-left: 0; }
-figure { margin: 1rem 0; } figure svg { width: 100%; height: auto; display: block; }
+figure { margin: 1rem 0; } figure svg, figure img { width: 100%; height: auto; display: block; }
 figcaption { color: var(--soft); font-size: .85rem; max-width: 46rem; }
 code, pre { font: .85rem/1.4 ui-monospace, "DejaVu Sans Mono", monospace; }
 pre { background: #f5f5f5; padding: .7rem; overflow-x: auto; white-space: pre-wrap; overflow-wrap: anywhere; }
@@ -89,6 +92,19 @@ std::string inline_svg(std::string svg, std::string_view prefix, std::string_vie
   if (from != std::string::npos && to != std::string::npos)
     svg.replace(from, to - from, "<title>" + escaped(title));
   return svg;
+}
+
+std::string inline_png(std::string_view bytes, std::string_view title) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= n ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(title), text);
 }
 
 std::string page(std::string_view title, std::string_view body) {

@@ -17,6 +17,9 @@ std::string table(const std::vector<std::string>& header, const std::vector<std:
 /// collide.
 std::string inline_svg(std::string svg, std::string_view prefix, std::string_view title);
 
+/// A picture inside the page: the PNG's bytes as a data URI.
+std::string inline_png(std::string_view bytes, std::string_view title);
+
 /// A whole page: style for screen, phone and paper; nothing is loaded from anywhere.
 std::string page(std::string_view title, std::string_view body);
 

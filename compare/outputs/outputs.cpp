@@ -9,7 +9,6 @@
 
 #include "compare/outputs/curves_csv.hpp"
 #include "compare/outputs/figure.hpp"
-#include "compare/outputs/report_html.hpp"
 #include "compare/outputs/run_h5.hpp"
 #include "compare/outputs/summary_json.hpp"
 
@@ -28,7 +27,7 @@ void scan(const Result& result, const std::filesystem::path& folder) {
 }
 
 // Numbers first, pictures last.
-constexpr Write documents[] = {write_run_h5, write_curves, write_summary, figure, scan, write_report_in};
+constexpr Write documents[] = {write_run_h5, write_curves, write_summary, figure, scan};
 
 }  // namespace
 

@@ -1,21 +1,13 @@
 #include "compare/outputs/report_html.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <optional>
 #include <tuple>
 
-#include "compare/errors.hpp"
-#include "compare/outputs/figure.hpp"
-#include "compare/outputs/figure_commands.hpp"
-#include "compare/outputs/file.hpp"
 #include "compare/outputs/html.hpp"
-#include "compare/outputs/ratio_commands.hpp"
-#include "compare/outputs/scan_commands.hpp"
 #include "compare/outputs/summary_json.hpp"
-#include "compare/read_file.hpp"
 #include "compare/units.hpp"
 
 namespace compare {
@@ -25,8 +17,12 @@ using Rows = std::vector<std::vector<std::string>>;
 
 double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
 
+/// A rounding error of either sign is 0, not -0.
 std::string number(double value, const char* format) {
-  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
+  if (!std::isfinite(value)) return "–";
+  const std::string text = fmt::format(fmt::runtime(format), value);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero ? fmt::format(fmt::runtime(format), 0.0) : text;
 }
 
 std::string name_of(const Run& run) {
@@ -37,7 +33,8 @@ std::string name_of(const Run& run) {
 }
 
 std::string pair_N_per_m(double value, double error, int digits) {
-  return fmt::format("{:.{}f} ± {:.{}f}", in_N_per_m(value), digits, in_N_per_m(error), digits);
+  const char* const format = digits == 1 ? "{:.1f}" : "{:.3f}";
+  return number(in_N_per_m(value), format) + " ± " + number(in_N_per_m(error), format);
 }
 
 std::string interval_N_per_m(const std::array<double, 2>& ends, int digits) {
@@ -124,13 +121,17 @@ std::string headline_tables(const Result& result) {
          "nothing of the bias.</p>\n";
 }
 
+std::string drawing(const ReportFigure& figure, std::size_t index) {
+  return figure.png ? html::inline_png(figure.content, figure.title)
+                    : html::inline_svg(figure.content, fmt::format("f{}-", index), figure.title);
+}
+
 std::string figures_html(const std::vector<ReportFigure>& figures) {
   if (figures.empty())
     return "<p class=\"soft\">No figures: gnuplot is not installed; the data are in curves.csv.</p>\n";
   std::string text;
   for (std::size_t i = 0; i < figures.size(); ++i)
-    text += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
-                        html::inline_svg(figures[i].svg, fmt::format("f{}-", i), figures[i].title),
+    text += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", drawing(figures[i], i),
                         html::escaped(figures[i].caption));
   return text;
 }
@@ -256,64 +257,6 @@ std::string provenance(const Result& result) {
   return text;
 }
 
-/// A folder for drawings that is removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "validate-report-XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw Error(ExitCode::file_failed,
-                  "cannot create a folder in " + std::filesystem::temp_directory_path().string());
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-struct Drawing {
-  const char* name;
-  std::string commands, title, caption;
-  DrawingSize size;
-};
-
-std::vector<ReportFigure> draw_all(const Result& result) {
-  const Drawing drawings[] = {{"force",
-                               figure_commands(result),
-                               "force against depth",
-                               "Force against depth: atoms as markers (open in the artefact zone), membranes "
-                               "as lines (dashed: the paper's constants), Eq. 16 thin.",
-                               {}},
-                              {"ratio",
-                               ratio_commands(result),
-                               "atoms over membrane",
-                               "Atoms over the like-for-like membrane at equal depth. Green: the tolerance; "
-                               "dotted: the judged window.",
-                               {900, 480}},
-                              {"scan",
-                               scan_commands(result),
-                               "fits against the window",
-                               "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A "
-                               "result that moves with the window is not one number.",
-                               {900, 420}}};
-  const ScratchFolder folder;
-  std::vector<ReportFigure> figures;
-  for (const Drawing& drawing : drawings) {
-    if (drawing.commands.empty()) continue;
-    draw(drawing.commands, folder.path(), drawing.name, drawing.size);
-    const auto file = folder.path() / (std::string(drawing.name) + ".svg");
-    if (std::filesystem::exists(file)) figures.push_back({read_file(file), drawing.title, drawing.caption});
-  }
-  return figures;
-}
-
 }  // namespace
 
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures) {
@@ -322,14 +265,6 @@ std::string report_html(const Result& result, const std::vector<ReportFigure>& f
                            provenance(result);
   return html::page(
       fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A), body);
-}
-
-void write_report(const Result& result, const std::filesystem::path& target) {
-  write_file(target, report_html(result, draw_all(result)));
-}
-
-void write_report_in(const Result& result, const std::filesystem::path& folder) {
-  write_report(result, folder / "report.html");
 }
 
 }  // namespace compare

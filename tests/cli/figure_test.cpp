@@ -38,11 +38,21 @@ TEST(Figure, OneIsMade) {
   EXPECT_NE(outcome.out.find("depth at 1500 nN"), std::string::npos);
 }
 
+TEST(Figure, ThreeAndFourAreMade) {
+  const WorkFolder folder;
+  for (const char* number : {"3", "4"}) {
+    const Outcome outcome = run_validate({"figure", number, "--out", "f", "--quiet"}, folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  }
+  expect_complete(folder.path() / "f", "figure3", {"point load", "disc of 10 Å", "larger_principal_stress_eV_per_A3"});
+  expect_complete(folder.path() / "f", "figure4", {"smaller_principal_stress_eV_per_A3", "tension rays", "state"});
+}
+
 TEST(Figure, UnknownOnesAreNamed) {
   const WorkFolder folder;
   const Outcome outcome = run_validate({"figure", "7"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("allowed: 1, 2"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("allowed: 1, 2, 3, 4"), std::string::npos) << outcome.err;
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 

@@ -12,10 +12,10 @@ TEST(Outputs, WritesEveryDocument) {
   const TemporaryFolder folder;
   write_all(sample::full(), folder.path());
   for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg",
-                           "window_scan.png", "report.html"}) {
+                           "window_scan.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
-  EXPECT_EQ(folder.entries(), 8u);
+  EXPECT_EQ(folder.entries(), 7u);
 }
 
 TEST(Outputs, OneThatFailsDoesNotStopTheOthers) {
@@ -29,8 +29,8 @@ TEST(Outputs, OneThatFailsDoesNotStopTheOthers) {
     EXPECT_NE(std::string(error.what()).find("run.h5"), std::string::npos);
   }
   for (const char* name : {"curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg",
-                           "window_scan.png", "report.html"}) {
+                           "window_scan.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
-  EXPECT_EQ(folder.entries(), 8u);
+  EXPECT_EQ(folder.entries(), 7u);
 }

@@ -73,16 +73,22 @@ TEST(Html, GivesEachDrawingItsOwnIds) {
             "stroke='#0072B2'/></svg>");
 }
 
+TEST(Html, WritesPicturesInBase64) {  // test vectors of RFC 4648
+  for (const auto& [bytes, expected] : {std::pair{"", "base64,\""}, {"f", "base64,Zg==\""}, {"fo", "base64,Zm8=\""}, {"foo", "base64,Zm9v\""},
+                                        {"foob", "base64,Zm9vYg==\""}, {"foobar", "base64,Zm9vYmFy\""}})
+    EXPECT_NE(html::inline_png(bytes, "").find(expected), std::string::npos) << bytes;
+}
+
 TEST(Report, SaysWhatWasFound) {
   const TemporaryFolder folder;
   const Result result = sample::full();
-  write_report_in(result, folder.path());
+  write_report(result, folder.path(), folder / "report.html");
   EXPECT_EQ(folder.entries(), 1u) << "nothing but the page";
   const std::string page = folder.read("report.html");
   for (const char* words :
        {"<b>Agreement</b>", "atoms, disc", "membrane, point, paper constants",
         "Where continuum and atoms part", "its bias", "How far to trust the fits", "17244 atoms", "SHA-256",
-        "validate indentation --radius 110", "viewport", "@media print", "<svg"})
+        "validate indentation --radius 110", "viewport", "@media print", "<svg", "data:image/png;base64,iVBOR"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
   Result failing = result;
   failing.agreement->passed = false;
@@ -91,10 +97,10 @@ TEST(Report, SaysWhatWasFound) {
 
 TEST(Report, AsksForNothingFromOutside) {
   const TemporaryFolder folder;
-  write_report_in(sample::full(), folder.path());
+  write_report(sample::full(), folder.path(), folder / "report.html");
   const std::string page = folder.read("report.html");
   for (const char* words :
-       {"<script", "<link", "src=", "@import", "url(http", "href=\"http", "href='http", "<iframe"})
+       {"<script", "<link", "src=\"http", "src='", "@import", "url(http", "href=\"http", "href='http", "<iframe"})
     EXPECT_EQ(page.find(words), std::string::npos) << words;
 }
 

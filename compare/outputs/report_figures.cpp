@@ -1,0 +1,102 @@
+// What the page of a run shows, drawn.
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <string>
+#include <vector>
+
+#include "compare/errors.hpp"
+#include "compare/outputs/fields.hpp"
+#include "compare/outputs/figure.hpp"
+#include "compare/outputs/figure_commands.hpp"
+#include "compare/outputs/file.hpp"
+#include "compare/outputs/ratio_commands.hpp"
+#include "compare/outputs/report_html.hpp"
+#include "compare/outputs/scan_commands.hpp"
+#include "compare/read_file.hpp"
+
+namespace compare {
+namespace {
+
+/// A folder for drawings that is removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "validate-report-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw Error(ExitCode::file_failed,
+                  "cannot create a folder in " + std::filesystem::temp_directory_path().string());
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct Drawing {
+  ReportFigure figure;  ///< its content is drawn
+  std::string commands;
+  DrawingSize size;
+};
+
+std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {
+  return {{{.content = {},
+            .title = "force against depth",
+            .caption = "Force against depth: atoms as markers (open in the artefact zone), membranes as "
+                       "lines (dashed: the "
+                       "paper's constants), Eq. 16 thin."},
+           figure_commands(result),
+           {}},
+          {{.content = {},
+            .title = "the sheet from above",
+            .caption = "The deepest sheet from above: the atoms' longest bonds, and the membrane's larger "
+                       "principal Cauchy "
+                       "force (stress times thickness) under the same load.",
+            .png = true},
+           field_commands(result, run_folder),
+           {1100, 500}},
+          {{.content = {},
+            .title = "atoms over membrane",
+            .caption = "Atoms over the like-for-like membrane at equal depth. Green: the tolerance; dotted: "
+                       "the judged window."},
+           ratio_commands(result),
+           {900, 480}},
+          {{.content = {},
+            .title = "fits against the window",
+            .caption = "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A result "
+                       "that moves with "
+                       "the window is not one number."},
+           scan_commands(result),
+           {900, 420}}};
+}
+
+std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::path& run_folder) {
+  const ScratchFolder scratch;
+  std::vector<ReportFigure> figures;
+  for (Drawing& drawing : drawings(result, run_folder)) {
+    if (drawing.commands.empty()) continue;
+    const std::string name = fmt::format("figure{}", figures.size());
+    draw(drawing.commands, scratch.path(), name, drawing.size);
+    const auto file = scratch.path() / (name + (drawing.figure.png ? ".png" : ".svg"));
+    if (!std::filesystem::exists(file)) continue;
+    drawing.figure.content = read_file(file);
+    figures.push_back(std::move(drawing.figure));
+  }
+  return figures;
+}
+
+}  // namespace
+
+void write_report(const Result& result, const std::filesystem::path& run_folder,
+                  const std::filesystem::path& target) {
+  write_file(target, report_html(result, draw_all(result, run_folder)));
+}
+
+}  // namespace compare
