@@ -146,7 +146,7 @@ int fit(const FitFlags& flags) {
     for (std::size_t i = 0; i < results.size(); ++i)
       fmt::print("{}\n", measured_text(results[i], options[i]));
   if (!flags.json.empty())
-    write_document(measured_document(results, options.front(), command_line()), flags.json);
+    write_document(measured_document(results, options, command_line()), flags.json);
   if (flags.out.empty()) return 0;
   const fs::path folder = output_folder(flags.out);
   std::set<std::string> taken;
@@ -154,7 +154,7 @@ int fit(const FitFlags& flags) {
     if (const auto warning =
             draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
       spdlog::warn("{}", *warning);
-  write_document(measured_document(results, options.front(), command_line()), (folder / "fit.json").string());
+  write_document(measured_document(results, options, command_line()), (folder / "fit.json").string());
   return 0;
 }
 

@@ -75,23 +75,23 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
 }
 
 nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
-                                         const MeasuredOptions& options, const std::string& command_line) {
+                                         const std::vector<MeasuredOptions>& options,
+                                         const std::string& command_line) {
   using Json = nlohmann::ordered_json;
-  const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  Json document;
-  document["schema"] = summary_schema;
-  document["model"] = options.model;
-  document["radius_A"] = options.geometry.a_A;
-  document["nu"] = options.geometry.nu;
-  document["tip_radius_A"] = options.geometry.tip_A;
-  document["command_line"] = command_line;
-  document["curves"] = Json::array();
-  for (const MeasuredResult& result : results) {
+  Json document{{"schema", summary_schema}, {"command_line", command_line}, {"curves", Json::array()}};
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const MeasuredResult& result = results[i];
+    const ModelGeometry& geometry = options[i].geometry;
     Json curve;
     curve["file"] = result.curve.file.string();
+    curve["model"] = options[i].model;
+    curve["radius_A"] = geometry.a_A;
+    curve["nu"] = geometry.nu;
+    curve["tip"] = geometry.tip_A == 0 ? "point" : options[i].sphere ? "sphere" : "disc";
+    curve["tip_radius_A"] = geometry.tip_A;
     curve["depth_column"] = result.curve.depth_column;
     curve["force_column"] = result.curve.force_column;
-    curve["baseline_eV_per_A"] = known(result.baseline_eV_per_A);
+    curve["baseline_eV_per_A"] = result.baseline_eV_per_A;
     curve["depth_A"] = result.depth_A;
     curve["force_eV_per_A"] = result.force_eV_per_A;
     curve["fit"] = fit_document(result.fit);

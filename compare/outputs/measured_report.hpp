@@ -14,9 +14,10 @@ namespace compare {
 /// One block per curve: the numbers with their errors, bias, correction, membrane, warnings.
 std::string measured_text(const MeasuredResult& result, const MeasuredOptions& options);
 
-/// All curves of a command. Keys end in their unit; fits as in summary.json.
+/// All curves of a command, each with its options; described by inputs/fit.schema.json.
 nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
-                                         const MeasuredOptions& options, const std::string& command_line);
+                                         const std::vector<MeasuredOptions>& options,
+                                         const std::string& command_line);
 
 /// fit-<name>.svg and .png: data with both fits, residuals, window scan. Returns what the user should know,
 /// if anything.

@@ -118,7 +118,9 @@ std::string headline_tables(const Result& result) {
          "itself: the "
          "finite-strain membrane with the real tip, E·h and pretension free. Errors are standard errors of "
          "the fit and know "
-         "nothing of the bias.</p>\n";
+         "nothing of the bias. What is left between the membrane itself and true, for atoms, is what the "
+         "membrane lacks: bending, "
+         "which reads as pretension, and the softening of the bonds.</p>\n";
 }
 
 std::string drawing(const ReportFigure& figure, std::size_t index) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run_program.hpp"
+#include "tests/support/json_schema.hpp"
 
 namespace {
 
@@ -18,10 +19,13 @@ const std::string measured = std::string(SOURCE_INPUTS) + "/measured/";
 TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
   const WorkFolder folder;
   const Outcome outcome = run_validate({"fit", measured + "synthetic-034.csv", measured + "synthetic-007.csv",
-                                        "--bootstrap", "50", "--json", "-", "--out", "out"},
+                                        measured + "synthetic-sphere.csv", "--bootstrap", "50", "--json", "-", "--out", "out"},
                                        folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
+  EXPECT_EQ(support::JsonSchema(support::read_json(std::string(SOURCE_INPUTS) + "/fit.schema.json"))
+                .problems(document),
+            std::vector<std::string>{});
   const double pretension[] = {0.34, 0.07, 0.07};
   for (int i = 0; i < 3; ++i) {
     const json& fit = document["curves"][i]["fit"];
