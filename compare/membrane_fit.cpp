@@ -67,7 +67,7 @@ class ForceRatio {
   /// Contact spreads from level to level, and may ask for other steps than the first ones tried.
   Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
                const AnyCurveModel& shallow) {
-    const std::vector<int> counts = tip.sphere ? std::vector{48, 67, 31} : std::vector{16, 48};
+    const std::vector<int> counts = tip.sphere ? std::vector{32, 48, 67} : std::vector{16, 48};
     const double parameters[] = {Eh, pretension};
     std::vector<double> at, ratio;
     for (const int count : counts) {
@@ -148,7 +148,7 @@ SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double 
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth,
                                const std::vector<double>& force, const std::vector<double>& sigma) {
   constexpr int most_curves = 20;
-  constexpr double same = 1e-6;
+  constexpr double same = 1e-5;
   MembraneFitReport result;
   LeastSquaresOptions options;
   for (const double s : sigma) options.weights.push_back(1 / (s * s));

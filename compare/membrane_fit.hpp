@@ -40,7 +40,7 @@ SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double 
 
 /// Least squares with the finite-strain membrane, solved in one dimension. A closed form (the shallow membrane, or for a
 /// sphere its limits) gives the derivatives: its curve, times the ratio of the two models at the last E·h and pretension,
-/// is fitted until neither changes by more than 1e-6. The ratio changes little, so few curves are enough. `sigma` (eV/Å)
+/// is fitted until neither changes by more than 1e-5. The ratio changes little, so few curves are enough. `sigma` (eV/Å)
 /// weights the points; empty: all alike. Not converging is reported, not thrown.
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth_A,
                                const std::vector<double>& force_eV_per_A,
