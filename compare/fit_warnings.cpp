@@ -91,8 +91,8 @@ void radius(const FitContext& context, Warnings& found) {
 void tip(const FitContext& context, Warnings& found) {
   if (context.tip_assumed_a_point)
     found.push_back(
-        "no tip radius given, so a point is assumed: a real tip makes the sheet stiffer, which a point model "
-        "reads as a larger E·h (19 % for a disc of a/30)");
+        fmt::format("no tip radius given, so a point is assumed: a real tip makes the sheet stiffer, which a "
+                    "point model reads as a larger E·h (19 % for a disc of a/30)"));
 }
 
 FitContext context_of(const Result& result, const Run& run) {

@@ -49,6 +49,7 @@ struct Fit {
   double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
   double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
   double correlation = 0;   ///< of the two parameters
+  std::vector<double> correlation_matrix;  ///< of all parameters, row by row: E·h, pretension, then the offsets
   double rms_relative = 0;  ///< root mean square residual over the largest force
   std::array<double, 2> window_A{};
   int points = 0;
@@ -60,6 +61,7 @@ struct Fit {
   double pretension_bootstrap_eV_per_A2 = not_known;      ///< the same
   std::vector<double> fitted_depth_A, residual_eV_per_A;  ///< the points fitted, force − model
   std::optional<double> depth_offset_A, force_offset_eV_per_A;  ///< where asked for
+  std::optional<double> depth_offset_stderr_A, force_offset_stderr_eV_per_A;
 
   std::optional<FitBias> bias;
   std::optional<DirectFit> direct;

@@ -20,6 +20,8 @@ void describe(Self& fit, Visitor&& visit) {
         fit.rms_relative);
   visit(Field{"window", unit::length, "first and last depth fitted"}, fit.window_A);
   visit(Field{"points", unit::none, "number of points fitted"}, fit.points);
+  visit(Field{"correlation_matrix", unit::none, "of all parameters, row by row: E·h, pretension, then the offsets"},
+        fit.correlation_matrix);
   visit(Field{"r_squared", unit::none, "share of the forces' scatter that the fit explains"}, fit.r_squared);
   visit(Field{"condition_number", unit::none, "of the Jacobian with columns of equal length"},
         fit.condition_number);

@@ -56,6 +56,9 @@ Fit fit_of(const LeastSquaresReport& report, const std::vector<double>& depth,
   fit.pretension_eV_per_A2 = report.parameters[1];
   fit.pretension_stderr_eV_per_A2 = report.standard_errors[1];
   fit.correlation = report.correlation(0, 1);
+  for (Eigen::Index i = 0; i < report.correlation.rows(); ++i)
+    for (Eigen::Index j = 0; j < report.correlation.cols(); ++j)
+      fit.correlation_matrix.push_back(report.correlation(i, j));
   fit.rms_relative = rms(report.residuals) / std::ranges::max(force);
   fit.window_A = {std::ranges::min(depth), std::ranges::max(depth)};
   fit.points = static_cast<int>(depth.size());
@@ -67,8 +70,14 @@ Fit fit_of(const LeastSquaresReport& report, const std::vector<double>& depth,
 }
 
 void read_offsets(Fit& fit, const LeastSquaresReport& report, const CurveFitOptions& options) {
-  if (options.depth_offset) fit.depth_offset_A = report.parameters[2];
-  if (options.force_offset) fit.force_offset_eV_per_A = report.parameters.back();
+  if (options.depth_offset) {
+    fit.depth_offset_A = report.parameters[2];
+    fit.depth_offset_stderr_A = report.standard_errors[2];
+  }
+  if (options.force_offset) {
+    fit.force_offset_eV_per_A = report.parameters.back();
+    fit.force_offset_stderr_eV_per_A = report.standard_errors.back();
+  }
 }
 
 }  // namespace

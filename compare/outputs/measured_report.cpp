@@ -59,10 +59,12 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
   add_row(text, "  pretension", fit.pretension_eV_per_A2, fit.pretension_stderr_eV_per_A2, 3,
           interval(fit.pretension_interval_eV_per_A2, 3));
   if (fit.depth_offset_A)
-    fmt::format_to(std::back_inserter(text), "  contact at {:.4g} nm\n", *fit.depth_offset_A / 10);
+    fmt::format_to(std::back_inserter(text), "  contact at {:.3f} ± {:.3f} nm\n", *fit.depth_offset_A / 10,
+                   fit.depth_offset_stderr_A.value_or(not_known) / 10);
   if (fit.force_offset_eV_per_A)
-    fmt::format_to(std::back_inserter(text), "  zero of force at {:.4g} nN\n",
-                   *fit.force_offset_eV_per_A * nN_per_eV_per_A);
+    fmt::format_to(std::back_inserter(text), "  zero of force at {:.3f} ± {:.3f} nN\n",
+                   *fit.force_offset_eV_per_A * nN_per_eV_per_A,
+                   fit.force_offset_stderr_eV_per_A.value_or(not_known) * nN_per_eV_per_A);
   fmt::format_to(std::back_inserter(text),
                  "  correlation {:.3f}, condition {:.3g}, R² {:.6f}, rms {:.2f} % of the largest force, "
                  "bootstrap ± {:.1f} and ± {:.3f} N/m\n",

@@ -91,8 +91,13 @@ Json agreement_object(const Agreement& agreement) {
 
 nlohmann::ordered_json fit_document(const Fit& fit) {
   Json object = object_of(fit);
-  if (fit.depth_offset_A) object["depth_offset_A"] = *fit.depth_offset_A;
-  if (fit.force_offset_eV_per_A) object["force_offset_eV_per_A"] = *fit.force_offset_eV_per_A;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value) object[name] = to_json_value(value);
+  };
+  add("depth_offset_A", fit.depth_offset_A);
+  add("depth_offset_stderr_A", fit.depth_offset_stderr_A);
+  add("force_offset_eV_per_A", fit.force_offset_eV_per_A);
+  add("force_offset_stderr_eV_per_A", fit.force_offset_stderr_eV_per_A);
   describe_points(fit, AddTo(object));
   object["bias"] = object_of(fit.bias);
   object["direct"] = object_of(fit.direct);

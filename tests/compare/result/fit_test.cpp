@@ -160,6 +160,10 @@ TEST(FitRun, RecoversTheConstantsOfAnExactCurve) {
   EXPECT_EQ(run.fit->points, 12);
   EXPECT_EQ(run.fit->window_A, (std::array{2.0, 24.0}));
   EXPECT_LT(run.fit->correlation, -0.8);
+  ASSERT_EQ(run.fit->correlation_matrix.size(), 4u);
+  EXPECT_NEAR(run.fit->correlation_matrix[0], 1, 1e-12);
+  EXPECT_EQ(run.fit->correlation_matrix[1], run.fit->correlation);
+  EXPECT_NEAR(run.fit->correlation_matrix[2], run.fit->correlation, 1e-12);
 }
 
 TEST(FitRun, LeavesOutArtefactsAndWhatDidNotConverge) {

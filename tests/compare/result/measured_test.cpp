@@ -122,6 +122,8 @@ TEST(MeasuredFit, ZerosAreFoundOrTakenOff) {
   const MeasuredResult found = evaluate(synthetic(40, 3), options);
   EXPECT_NEAR(*found.fit.depth_offset_A, 40, 0.05);
   EXPECT_NEAR(*found.fit.force_offset_eV_per_A, 3, 0.01);
+  EXPECT_EQ(found.fit.correlation_matrix.size(), 16u);
+  EXPECT_GT(*found.fit.depth_offset_stderr_A, 0);
   EXPECT_NEAR(found.fit.Eh_eV_per_A2 / 21.35, 1, 1e-3);
 }
 
