@@ -1,20 +1,8 @@
 #include "atomistic/predictor.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace atomistic {
 
 using Eigen::VectorXd;
-
-VectorXd first_guess(const Sheet& sheet, double depth_A) {
-  VectorXd u = VectorXd::Zero(3 * sheet.free_atoms);
-  for (int i = 0; i < sheet.free_atoms; ++i) {
-    const double r = std::min(1.0, sheet.position(i).head<2>().norm() / sheet.radius_A);
-    u[3 * i + 2] = -depth_A * (1 - std::pow(r, 2.0 / 3.0));
-  }
-  return u;
-}
 
 namespace {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,7 +13,8 @@ namespace atomistic {
 struct Potential {
   std::string name, pair_style;
   std::vector<std::string> pair_coeff;
-  std::string file;  ///< absolute path
+  std::string file;       ///< absolute path; empty: none
+  std::string kim_model;  ///< an OpenKIM simulator model that sets style and coefficients itself; empty: none
   double mass = 12.011;
   double interaction_range_A = 0;  ///< an atom farther away than this does not change the force on another
   double artefact_bond_A = 1.70;   ///< from this bond length on, forces are an artefact of the cut-off
@@ -37,7 +38,7 @@ struct Card {
   double bending_modulus_eV() const { return (bending_modulus_zigzag_eV + bending_modulus_armchair_eV) / 2; }
 };
 
-/// The six atoms of the central hexagon share the force.
+/// The atoms nearest to the axis share the force: the central hexagon's six, or the central atom.
 struct PointLoad {};
 
 /// The atoms with r <= radius_A share the force equally.
@@ -45,18 +46,50 @@ struct DiscLoad {
   double radius_A = 0;
 };
 
-using Load = std::variant<PointLoad, DiscLoad>;
+/// Rigid frictionless sphere, pressed down along the axis. Atoms (as points) inside it are pushed out along its radius r
+/// with the force K (radius − r)², LAMMPS's `fix indent`. The conjugate depth is that of its lowest point.
+struct SphereLoad {
+  double radius_A = 0;
+  double stiffness_eV_per_A3 = 100;  ///< K; an atom that carries 0.2 eV/Å is 0.045 Å inside
+};
+
+/// Pressure from above on the free sheet; levels are pressures (eV/Å³). Following: normal to the deformed surface, from
+/// the energy −p V with V the volume swept. Dead: along −z, with each atom's share of the flat area.
+struct PressureLoad {
+  bool following = true;
+};
+
+using Load = std::variant<PointLoad, DiscLoad, SphereLoad, PressureLoad>;
 
 enum class Control { conjugate_depth, force };
+
+enum class Shape { disc, square };
+enum class Centre { hexagon, atom };
+enum class Edge {
+  clamped,  ///< atoms beyond the free sheet are held
+  sliding   ///< the sheet ends; its outermost atoms keep z = 0 and slide in the plane
+};
+
+/// What the sheet is beside its size: by default a clamped, hexagon-centred, perfect disc with zigzag along x.
+struct SheetForm {
+  Shape shape = Shape::disc;
+  Edge edge = Edge::clamped;
+  Centre centre = Centre::hexagon;
+  double rotation_deg = 0;                    ///< of the lattice about the axis, counter-clockwise
+  std::vector<Eigen::Vector2d> vacancies;     ///< the atom nearest to each place is missing, Å
+  std::vector<Eigen::Vector2d> stone_wales;   ///< the bond nearest to each place is turned by 90°, Å
+};
 
 struct Problem {
   Potential potential;
   Card card;
-  double radius_A = 0;        ///< atoms beyond are clamped
+  double radius_A = 0;        ///< of the free disc, or half the side of the square; atoms beyond are clamped
+  SheetForm form;
   double biaxial_strain = 0;  ///< imposed on the whole flat sheet before the load: the pretension
   Load load;
   Control control = Control::conjugate_depth;
-  std::vector<double> levels;  ///< conjugate depths (Å) or total forces (eV/Å), in the order of the path
+  std::vector<double> levels;  ///< conjugate depths (Å), total forces (eV/Å) or pressures (eV/Å³), in the order of the path
+  bool unload = false;         ///< then back through the levels that were reached, down to the first
   double force_tolerance_eV_per_A = 1e-5;
   int max_evaluations = 600;   ///< per level; then the path ends as not converged
   bool past_artefact = false;  ///< do not end the path at the artefact bond length
@@ -64,12 +97,14 @@ struct Problem {
 
 /// Positions and forces are 3N vectors, atom by atom; free atoms first (see Sheet).
 struct Step {
-  int level = 0;  ///< index into Problem::levels
+  int level = 0;  ///< counts the steps of the path; index into Problem::levels while loading
+  bool unloading = false;
+  double target = 0;  ///< the level asked for: Å, eV/Å or eV/Å³
   bool converged = false;
-  double depth_A = 0;            ///< mean −z of the central hexagon
-  double conjugate_depth_A = 0;  ///< mean −z of the loaded atoms
-  double force_eV_per_A = 0;
-  double energy_eV = 0;             ///< relative to the flat sheet (dead-load work not included)
+  double depth_A = 0;            ///< mean −z of the atoms at one bond from the axis (the central hexagon)
+  double conjugate_depth_A = 0;  ///< of the load: mean −z of the loaded atoms, the sphere's travel, volume over area
+  double force_eV_per_A = 0;     ///< work-conjugate to it
+  double energy_eV = 0;             ///< work put in: relative to the flat sheet, contact included, dead loads not
   double max_force_eV_per_A = 0;    ///< largest norm left on a free atom, load removed
   double balance_relative = 0;      ///< |tip force + rim reaction| / tip force
   double force_error_relative = 0;  ///< gᵀP⁻¹g / (F d): estimated error of the tip force
@@ -82,9 +117,19 @@ struct Step {
 
 enum class Ended { depth_max, artefact, rupture, not_converged };
 
+/// What a four times stiffer contact changes at the last depth of a sphere.
+struct ContactCheck {
+  double force_change_relative = 0;                 ///< at equal travel of the sphere
+  double depth_change_A = 0;                        ///< of the depth of record, at equal travel
+  double force_change_at_equal_depth_relative = 0;  ///< at equal depth of record: what a comparison of curves sees
+  double deepest_penetration_A = 0;                 ///< at the stiffness of the run
+};
+
 struct Report {
   Ended ended = Ended::depth_max;
   std::string reason;
+  std::optional<ContactCheck> contact;  ///< for a sphere
+  int relaxation_evaluations = 0;       ///< of the flat sheet, where it is not built in equilibrium
   long force_calls = 0;
   double force_s = 0;  ///< pair, neighbour and communication time inside LAMMPS
   double factor_s = 0, solve_s = 0, setup_s = 0;

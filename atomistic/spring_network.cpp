@@ -76,8 +76,8 @@ void SpringNetwork::build_pattern() {
   factor_.analyzePattern(matrix_);
 }
 
-void SpringNetwork::factorise(const Eigen::VectorXd& positions) {
-  assemble(positions);
+void SpringNetwork::factorise(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) {
+  assemble(positions, load);
   factor_.factorize(matrix_);
   if (factor_.info() != Eigen::Success)
     throw std::runtime_error(
@@ -88,17 +88,22 @@ Eigen::VectorXd SpringNetwork::solve(const Eigen::VectorXd& right_hand_side) con
   return factor_.solve(right_hand_side);
 }
 
-void SpringNetwork::assemble(const Eigen::VectorXd& positions) {
+void SpringNetwork::assemble(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
-  for (int i = 0; i < sheet_.free_atoms; ++i)
+  for (int i = 0; i < sheet_.free_atoms; ++i) {
     add_block(i, i, constants_.identity_eV_per_A2 * Matrix3d::Identity());
+    if (slides(i)) matrix_.coeffRef(3 * i + 2, 3 * i + 2) = 1;
+  }
   add_bonds(positions);
   add_angles(positions);
   add_out_of_plane(positions);
+  for (const auto& [atom, stiffness] : load) add_block(atom, atom, stiffness);
 }
 
-void SpringNetwork::add_block(int i, int j, const Matrix3d& block) {
+void SpringNetwork::add_block(int i, int j, Matrix3d block) {
   if (i < j || i >= sheet_.free_atoms) return;  // lower triangle, free atoms
+  if (slides(i)) block.row(2).setZero();
+  if (slides(j)) block.col(2).setZero();
   const auto begin = rows_.begin() + column_[j], end = rows_.begin() + column_[j + 1];
   const auto at = std::lower_bound(begin, end, i) - begin;
   const auto blocks = end - begin;

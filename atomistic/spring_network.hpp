@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "atomistic/loads/load_term.hpp"
 #include "atomistic/problem.hpp"
 #include "atomistic/sheet.hpp"
 
@@ -30,7 +31,8 @@ SpringConstants spring_constants(const Card& card);
 
 /// P(x), symmetric positive definite on the free atoms' 3·free_atoms degrees of freedom:
 ///   Σ bonds  k_r n nᵀ + max(T, 0)/l (I − n nᵀ),  T the tension of a bond that softens under strain
-/// + Σ angles k_θ ∇θ ∇θᵀ + Σ atoms k_o g gᵀ,  g = ∇ m·(x_i − mean of its neighbours),  + identity.
+/// + Σ angles k_θ ∇θ ∇θᵀ + Σ atoms k_o g gᵀ,  g = ∇ m·(x_i − mean of its neighbours),  + identity,
+/// and what a load adds to single atoms. An atom that slides in the plane has no z coupling.
 /// The pattern is analysed once; factorise() refills and factorises, solve() serves any number of right-hand
 /// sides.
 class SpringNetwork {
@@ -38,7 +40,7 @@ class SpringNetwork {
   SpringNetwork(const Sheet& sheet, const SpringConstants& constants);
 
   /// Positions are those of all atoms, 3N. Throws std::runtime_error if the factorisation fails.
-  void factorise(const Eigen::VectorXd& positions);
+  void factorise(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load = {});
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
 
   /// Lower triangle of P at the last factorised positions (diagonal blocks stored whole).
@@ -48,9 +50,10 @@ class SpringNetwork {
   struct Element;  ///< up to four atoms and one gradient of a scalar deformation
 
   void build_pattern();
-  void assemble(const Eigen::VectorXd& positions);
+  void assemble(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load);
   void add_rank_one(double stiffness, const Element& element);
-  void add_block(int i, int j, const Eigen::Matrix3d& block);
+  void add_block(int i, int j, Eigen::Matrix3d block);
+  bool slides(int atom) const { return !sheet_.slides.empty() && sheet_.slides[atom]; }
   void add_bonds(const Eigen::VectorXd& positions);
   void add_angles(const Eigen::VectorXd& positions);
   void add_out_of_plane(const Eigen::VectorXd& positions);

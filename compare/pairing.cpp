@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "atomistic/loads/pattern.hpp"
+#include "atomistic/loads/load_term.hpp"
 #include "compare/errors.hpp"
 #include "compare/nearest.hpp"
 

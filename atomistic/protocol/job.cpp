@@ -1,34 +1,86 @@
 #include "atomistic/protocol/job.hpp"
 
+#include <array>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "atomistic/protocol/json.hpp"
 
 namespace atomistic {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Shape, {{Shape::disc, "disc"}, {Shape::square, "square"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Centre, {{Centre::hexagon, "hexagon"}, {Centre::atom, "atom"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Edge, {{Edge::clamped, "clamped"}, {Edge::sliding, "sliding"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DiscLoad, radius_A)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SphereLoad, radius_A, stiffness_eV_per_A3)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureLoad, following)
+static void to_json(nlohmann::json& j, const PointLoad&) { j = nlohmann::json::object(); }
+static void from_json(const nlohmann::json&, PointLoad&) {}
+
 namespace {
 
 using nlohmann::json;
 
+/// In the order of the variant's alternatives.
+constexpr std::array<std::string_view, std::variant_size_v<Load>> load_kinds = {"point", "disc", "sphere", "pressure"};
+
 json load_to_json(const Load& load) {
-  if (const auto* disc = std::get_if<DiscLoad>(&load))
-    return {{"kind", "disc"}, {"radius_A", disc->radius_A}};
-  return {{"kind", "point"}};
+  json j = std::visit([](const auto& l) { return json(l); }, load);
+  j["kind"] = load_kinds[load.index()];
+  return j;
 }
 
+template <std::size_t index = 0>
 Load load_from_json(const json& j) {
-  if (j.at("kind") == "disc") return DiscLoad{j.at("radius_A")};
-  return PointLoad{};
+  if constexpr (index < load_kinds.size()) {
+    if (j.at("kind") == load_kinds[index]) return j.get<std::variant_alternative_t<index, Load>>();
+    return load_from_json<index + 1>(j);
+  } else {
+    throw std::runtime_error("unknown load");
+  }
+}
+
+json places_to_json(const std::vector<Eigen::Vector2d>& places) {
+  json list = json::array();
+  for (const Eigen::Vector2d& p : places) list.push_back({p.x(), p.y()});
+  return list;
+}
+
+std::vector<Eigen::Vector2d> places_from_json(const json& j) {
+  std::vector<Eigen::Vector2d> places;
+  for (const json& p : j) places.emplace_back(p.at(0).get<double>(), p.at(1).get<double>());
+  return places;
+}
+
+json form_to_json(const SheetForm& f) {
+  return {{"shape", f.shape},
+          {"edge", f.edge},
+          {"centre", f.centre},
+          {"rotation_deg", f.rotation_deg},
+          {"vacancies_A", places_to_json(f.vacancies)},
+          {"stone_wales_A", places_to_json(f.stone_wales)}};
+}
+
+SheetForm form_from_json(const json& j) {
+  return {.shape = j.at("shape"),
+          .edge = j.at("edge"),
+          .centre = j.at("centre"),
+          .rotation_deg = j.at("rotation_deg"),
+          .vacancies = places_from_json(j.at("vacancies_A")),
+          .stone_wales = places_from_json(j.at("stone_wales_A"))};
 }
 
 json problem_to_json(const Problem& p) {
   return {{"potential", p.potential},
           {"card", p.card},
           {"radius_A", p.radius_A},
+          {"form", form_to_json(p.form)},
           {"biaxial_strain", p.biaxial_strain},
           {"load", load_to_json(p.load)},
           {"force_control", p.control == Control::force},
           {"levels", p.levels},
+          {"unload", p.unload},
           {"force_tolerance_eV_per_A", p.force_tolerance_eV_per_A},
           {"max_evaluations", p.max_evaluations},
           {"past_artefact", p.past_artefact}};
@@ -38,10 +90,12 @@ Problem problem_from_json(const json& j) {
   return {.potential = j.at("potential"),
           .card = j.at("card"),
           .radius_A = j.at("radius_A"),
+          .form = form_from_json(j.at("form")),
           .biaxial_strain = j.at("biaxial_strain"),
           .load = load_from_json(j.at("load")),
           .control = j.at("force_control") ? Control::force : Control::conjugate_depth,
           .levels = j.at("levels"),
+          .unload = j.at("unload"),
           .force_tolerance_eV_per_A = j.at("force_tolerance_eV_per_A"),
           .max_evaluations = j.at("max_evaluations"),
           .past_artefact = j.at("past_artefact")};

@@ -7,7 +7,7 @@
 
 namespace atomistic {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Potential, name, pair_style, pair_coeff, file, mass, interaction_range_A,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Potential, name, pair_style, pair_coeff, file, kim_model, mass, interaction_range_A,
                                    artefact_bond_A, description, citation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, a0_A, energy_per_atom_eV, C11_eV_per_A2, C12_eV_per_A2,
                                    C66_eV_per_A2, bending_modulus_zigzag_eV, bending_modulus_armchair_eV,
@@ -16,6 +16,25 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Ended, {{Ended::depth_max, "depth_max"},
                                      {Ended::artefact, "artefact"},
                                      {Ended::rupture, "rupture"},
                                      {Ended::not_converged, "not_converged"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Report, ended, reason, force_calls, force_s, factor_s, solve_s, setup_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContactCheck, force_change_relative, depth_change_A,
+                                   force_change_at_equal_depth_relative, deepest_penetration_A)
+
+inline void to_json(nlohmann::json& j, const Report& r) {
+  j = {{"ended", r.ended},       {"reason", r.reason},     {"force_calls", r.force_calls},
+       {"force_s", r.force_s},   {"factor_s", r.factor_s}, {"solve_s", r.solve_s},
+       {"setup_s", r.setup_s},   {"relaxation_evaluations", r.relaxation_evaluations}};
+  if (r.contact) j["contact"] = *r.contact;
+}
+inline void from_json(const nlohmann::json& j, Report& r) {
+  r = {.ended = j.at("ended"),
+       .reason = j.at("reason"),
+       .contact = j.contains("contact") ? std::optional<ContactCheck>(j["contact"]) : std::nullopt,
+       .relaxation_evaluations = j.at("relaxation_evaluations"),
+       .force_calls = j.at("force_calls"),
+       .force_s = j.at("force_s"),
+       .factor_s = j.at("factor_s"),
+       .solve_s = j.at("solve_s"),
+       .setup_s = j.at("setup_s")};
+}
 
 }  // namespace atomistic

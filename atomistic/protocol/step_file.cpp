@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 /// The fixed part of the file; the three vectors follow as doubles. `magic` names the layout and its version.
 struct Header {
-  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '1'};
-  std::int64_t level, converged, evaluations, factorisations;
-  double depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
+  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '2'};
+  std::int64_t level, unloading, converged, evaluations, factorisations;
+  double target, depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
   std::int64_t positions, forces, factorised_at;  ///< lengths
 };
 
@@ -27,6 +27,8 @@ Header header_of(const Step& s) {
   Header h{};
   std::memcpy(h.magic, Header{}.magic, sizeof h.magic);
   h.level = s.level;
+  h.unloading = s.unloading;
+  h.target = s.target;
   h.converged = s.converged;
   h.evaluations = s.evaluations;
   h.factorisations = s.factorisations;
@@ -47,6 +49,8 @@ Header header_of(const Step& s) {
 Step step_of(const Header& h) {
   Step s;
   s.level = static_cast<int>(h.level);
+  s.unloading = h.unloading != 0;
+  s.target = h.target;
   s.converged = h.converged != 0;
   s.evaluations = static_cast<int>(h.evaluations);
   s.factorisations = static_cast<int>(h.factorisations);

@@ -6,45 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <numbers>
 #include <sstream>
 
-#include "atomistic/loads/pattern.hpp"
-#include "tests/atomistic/lammps_session.hpp"
+#include "atomistic/loads/load_term.hpp"
+#include "tests/atomistic/paths.hpp"
 
 namespace {
 
 using namespace atomistic;
 using Eigen::VectorXd;
-
-const Card& card_of(const std::string& name) {
-  static std::map<std::string, Card> cards;
-  if (!cards.contains(name)) cards[name] = compute_card(potential(name), "none");
-  return cards[name];
-}
-
-Problem problem_of(const std::string& name, double radius, Load load, std::vector<double> levels) {
-  Problem p;
-  p.potential = potential(name);
-  p.card = card_of(name);
-  p.radius_A = radius;
-  p.load = load;
-  p.levels = std::move(levels);
-  return p;
-}
-
-struct Path {
-  std::vector<Step> steps;
-  Report report;
-};
-
-Path follow(const Problem& p, const std::vector<Step>& finished = {}) {
-  Path path;
-  path.report = follow_path(p, "none", finished, {.on_step = [&](const Step& s) { path.steps.push_back(s); }, .on_progress = {}},
-                            lammps_session());
-  return path;
-}
 
 /// AIREBO, R = 30 Å, the six central atoms held: forces of a program written separately from this project (its clamped
 /// ring 12 Å wide, max|f| <= 1e-5 eV/Å), within 0.5 % from 2 Å up.
@@ -104,6 +75,35 @@ TEST_P(PathOf, TheRimCarriesTheForce) {
   EXPECT_LT(follow(p).steps[0].balance_relative, 1e-3);
   p.force_tolerance_eV_per_A = 1e-7;
   EXPECT_LT(follow(p).steps[0].balance_relative, 1e-5);
+}
+
+/// Over a whole path in the main job's steps: E(d) against the integral of the cubic through four neighbouring points
+/// (the origin is one), from the second depth on.
+TEST(Indentation, EnergyIsTheIntegralOverTheConjugateDepth) {
+  const double radius = 30;
+  std::vector<double> depths;
+  for (int k = 1; k <= 10; ++k) depths.push_back(k * radius / 55);
+  const Path path = follow(problem_of("airebo", radius, DiscLoad{4}, depths));
+  ASSERT_EQ(path.steps.size(), depths.size());
+  std::vector<double> d = {0}, f = {0};
+  for (const Step& step : path.steps) d.push_back(step.conjugate_depth_A), f.push_back(step.force_eV_per_A);
+  const auto cubic = [&](std::size_t first, double x) {
+    double sum = 0;
+    for (std::size_t i = first; i < first + 4; ++i) {
+      double weight = f[i];
+      for (std::size_t j = first; j < first + 4; ++j)
+        if (j != i) weight *= (x - d[j]) / (d[i] - d[j]);
+      sum += weight;
+    }
+    return sum;
+  };
+  double work = 0;
+  for (std::size_t k = 1; k < d.size(); ++k) {
+    const std::size_t first = std::min(k < 2 ? 0 : k - 2, d.size() - 4);
+    const double h = d[k] - d[k - 1], middle = (d[k] + d[k - 1]) / 2;  // Simpson is exact for the cubic
+    work += h / 6 * (f[k - 1] + 4 * cubic(first, middle) + f[k]);
+    if (k > 1) EXPECT_NEAR(path.steps[k - 1].energy_eV, work, 1e-3 * work) << "at " << d[k] << " Å";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, PathOf, testing::ValuesIn(shipped_potentials()), test_name);

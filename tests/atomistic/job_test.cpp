@@ -45,6 +45,32 @@ TEST_F(JobFile, ACurveSurvives) {
   EXPECT_TRUE(curve.problem.past_artefact);
 }
 
+TEST_F(JobFile, EveryLoadAndTheSheetsFormSurvive) {
+  Problem p;
+  p.unload = true;
+  p.form = {.shape = Shape::square, .edge = Edge::sliding, .centre = Centre::atom, .rotation_deg = 12.5,
+            .vacancies = {{1, 2}}, .stone_wales = {{3, -4}, {5, 6}}};
+  const Load loads[] = {PointLoad{}, DiscLoad{7.5}, SphereLoad{.radius_A = 30, .stiffness_eV_per_A3 = 50}, PressureLoad{false}};
+  for (const Load& load : loads) {
+    p.load = load;
+    write_job({CurveJob{p, "/steps"}, "/log"}, file);
+    const Problem back = std::get<CurveJob>(read_job(file).work).problem;
+    ASSERT_EQ(back.load.index(), load.index());
+    EXPECT_TRUE(back.unload);
+    EXPECT_EQ(back.form.shape, Shape::square);
+    EXPECT_EQ(back.form.edge, Edge::sliding);
+    EXPECT_EQ(back.form.centre, Centre::atom);
+    EXPECT_EQ(back.form.rotation_deg, 12.5);
+    EXPECT_EQ(back.form.vacancies, p.form.vacancies);
+    EXPECT_EQ(back.form.stone_wales, p.form.stone_wales);
+    if (const auto* sphere = std::get_if<SphereLoad>(&back.load)) {
+      EXPECT_EQ(sphere->radius_A, 30);
+      EXPECT_EQ(sphere->stiffness_eV_per_A3, 50);
+    }
+    if (const auto* pressure = std::get_if<PressureLoad>(&back.load)) EXPECT_FALSE(pressure->following);
+  }
+}
+
 TEST_F(JobFile, ACardSurvives) {
   Potential potential;
   potential.pair_style = "rebo";

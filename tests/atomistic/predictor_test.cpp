@@ -33,15 +33,4 @@ TEST(Predictor, UsesTheNewestThree) {
   EXPECT_TRUE(extrapolate(states, 4).isApprox(scaling_state(4).displacement, 1e-13));
 }
 
-TEST(Predictor, FirstGuessIsDeepestAtTheAxisAndZeroAtTheClamp) {
-  const Sheet sheet = make_sheet(20, 2.46, 0, 5);
-  const VectorXd u = first_guess(sheet, 2);
-  for (int i = 0; i < sheet.free_atoms; ++i) {
-    EXPECT_LE(u[3 * i + 2], 0.0);
-    EXPECT_GE(u[3 * i + 2], -2.0);
-  }
-  const double r = sheet.position(sheet.hexagon[0]).norm();  // Schwerin's shape at the hexagon
-  EXPECT_NEAR(u[3 * sheet.hexagon[0] + 2], -2 * (1 - std::pow(r / 20, 2.0 / 3)), 1e-12);
-}
-
 }  // namespace

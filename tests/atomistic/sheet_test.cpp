@@ -16,7 +16,9 @@ constexpr double a0 = 2.46;
 
 TEST(Sheet, HexagonCentredWithSixAtomsAtOneBondFromTheAxis) {
   const Sheet sheet = make_sheet(20, a0, 0, 6);
-  for (int atom : sheet.hexagon) EXPECT_NEAR(sheet.position(atom).norm(), a0 / std::numbers::sqrt3, 1e-12);
+  ASSERT_EQ(sheet.record.size(), 6u);
+  EXPECT_EQ(sheet.innermost, sheet.record);
+  for (int atom : sheet.record) EXPECT_NEAR(sheet.position(atom).norm(), a0 / std::numbers::sqrt3, 1e-12);
   EXPECT_EQ(atoms_within(sheet, 0.9 * sheet.bond_A).size(), 0u);
   EXPECT_EQ(atoms_within(sheet, 1.01 * sheet.bond_A).size(), 6u);
 }
@@ -68,6 +70,106 @@ TEST(Sheet, SixfoldSymmetric) {
       nearest = std::min(nearest, (sheet.position(j).head<2>() - image).norm());
     EXPECT_LT(nearest, 1e-9);
   }
+}
+
+TEST(Sheet, AtomCentred) {
+  SheetForm form;
+  form.centre = Centre::atom;
+  const Sheet sheet = make_sheet(20, a0, 0, 6, form);
+  ASSERT_EQ(sheet.innermost.size(), 1u);
+  EXPECT_LT(sheet.position(sheet.innermost[0]).norm(), 1e-12);
+  ASSERT_EQ(sheet.record.size(), 3u);
+  for (int atom : sheet.record) EXPECT_NEAR(sheet.position(atom).norm(), a0 / std::numbers::sqrt3, 1e-12);
+}
+
+TEST(Sheet, RotationTurnsTheLatticeNotTheEdge) {
+  SheetForm form;
+  form.rotation_deg = 17;
+  const Sheet turned = make_sheet(20, a0, 0, 6, form), straight = make_sheet(20, a0, 0, 6);
+  ASSERT_EQ(turned.atoms(), straight.atoms());
+  ASSERT_EQ(turned.free_atoms, straight.free_atoms);
+  const Eigen::Matrix2d turn = Eigen::Rotation2D<double>(17 * std::numbers::pi / 180).toRotationMatrix();
+  for (int i = 0; i < straight.atoms(); ++i)
+    EXPECT_LT((turned.position(i).head<2>() - turn * straight.position(i).head<2>()).norm(), 1e-12);
+}
+
+std::vector<std::size_t> ring_sizes(const Sheet& sheet) {
+  std::vector<std::size_t> counts(20);
+  for (const auto& ring : rings(sheet)) ++counts.at(ring.size());
+  return counts;
+}
+
+TEST(Sheet, PerfectRingsAreHexagonsThatTileTheDisc) {
+  const Sheet sheet = make_sheet(20, a0, 0, 6);
+  const auto counts = ring_sizes(sheet);
+  EXPECT_EQ(counts[6], rings(sheet).size());
+  std::vector<int> met(sheet.free_atoms);
+  for (const auto& ring : rings(sheet))
+    for (int atom : ring)
+      if (atom < sheet.free_atoms) ++met[atom];
+  for (int times : met) EXPECT_EQ(times, 3);
+}
+
+TEST(Sheet, VacancyLeavesAHoleOfTwelve) {
+  SheetForm form;
+  form.vacancies = {{8, 3}};
+  const Sheet sheet = make_sheet(20, a0, 0, 6, form), whole = make_sheet(20, a0, 0, 6);
+  EXPECT_EQ(sheet.atoms(), whole.atoms() - 1);
+  EXPECT_EQ(sheet.free_atoms, whole.free_atoms - 1);
+  EXPECT_EQ(sheet.bonds.size(), whole.bonds.size() - 3);
+  EXPECT_EQ(ring_sizes(sheet)[12], 1u);
+}
+
+TEST(Sheet, StoneWalesMakesTwoPentagonsAndTwoHeptagons) {
+  SheetForm form;
+  form.stone_wales = {{0, 1.2}};
+  const Sheet sheet = make_sheet(20, a0, 0, 6, form), whole = make_sheet(20, a0, 0, 6);
+  EXPECT_EQ(sheet.atoms(), whole.atoms());
+  EXPECT_EQ(sheet.bonds.size(), whole.bonds.size());
+  const auto counts = ring_sizes(sheet), perfect = ring_sizes(whole);
+  EXPECT_EQ(counts[5], 2u);
+  EXPECT_EQ(counts[7], 2u);
+  EXPECT_EQ(counts[6], perfect[6] - 4);
+  for (int i = 0; i < sheet.free_atoms; ++i)
+    for (int j : sheet.neighbours[i]) EXPECT_GT((sheet.position(i) - sheet.position(j)).norm(), 0.6 * sheet.bond_A);
+}
+
+TEST(Sheet, SlidingSquareEndsWithoutDanglingAtoms) {
+  SheetForm form;
+  form.shape = Shape::square;
+  form.edge = Edge::sliding;
+  const Sheet sheet = make_sheet(20, a0, 0, 6, form);
+  EXPECT_EQ(sheet.atoms(), sheet.free_atoms);
+  ASSERT_EQ(sheet.slides.size(), static_cast<std::size_t>(sheet.atoms()));
+  for (int i = 0; i < sheet.atoms(); ++i) {
+    const auto bonds = 3 - std::count(sheet.neighbours[i].begin(), sheet.neighbours[i].end(), -1);
+    EXPECT_GE(bonds, 2);
+    EXPECT_EQ(sheet.slides[i], bonds < 3);
+    EXPECT_LE(sheet.position(i).head<2>().cwiseAbs().maxCoeff(), 20);
+  }
+}
+
+TEST(Sheet, ClampedSquareHasARing) {
+  SheetForm form;
+  form.shape = Shape::square;
+  const Sheet sheet = make_sheet(20, a0, 0, 6, form);
+  for (int i = 0; i < sheet.atoms(); ++i) {
+    const double far = sheet.position(i).head<2>().cwiseAbs().maxCoeff();
+    EXPECT_EQ(far <= 20, i < sheet.free_atoms);
+    EXPECT_LE(far, 26);
+  }
+  EXPECT_TRUE(sheet.slides.empty());
+}
+
+TEST(Sheet, RefusesDefectsThatCannotBe) {
+  SheetForm form;
+  form.vacancies = {{25, 0}};
+  EXPECT_THROW(make_sheet(20, a0, 0, 6, form), std::invalid_argument);
+  form.vacancies = {{0.7, 1.2}, {1.4, 0}, {0.7, -1.2}, {-0.7, 1.2}, {-1.4, 0}, {-0.7, -1.2}};
+  EXPECT_THROW(make_sheet(20, a0, 0, 6, form), std::invalid_argument) << "nothing left at the axis";
+  form.vacancies.clear();
+  form.stone_wales = {{5, 1.2}, {5, 1.2}, {19.9, 0}};
+  EXPECT_NO_THROW(make_sheet(20, a0, 0, 6, form));
 }
 
 TEST(Sheet, RefusesSheetsThatAreTooSmallOrNotNumbers) {

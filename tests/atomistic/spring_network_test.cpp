@@ -57,7 +57,7 @@ TEST(SpringNetwork, IsPositiveDefiniteAndSolves) {
 /// sublattice s', i one inner atom of sublattice s; its six eigenvalues in ascending order. For small q these are
 /// κ q⁴ A (bending), C66 q² A, C11 q² A (A the area per atom), then the sublattices against each other.
 Eigen::VectorXd wave_stiffness(const MatrixXd& p, const Sheet& sheet, double q) {
-  const std::array<int, 2> inner = {sheet.hexagon[0], sheet.neighbours[sheet.hexagon[0]][0]};
+  const std::array<int, 2> inner = {sheet.record[0], sheet.neighbours[sheet.record[0]][0]};
   const auto sublattice = [&](int atom) {  // one whole number of cells away from inner[0], or not
     const Eigen::Vector3d d = sheet.position(atom) - sheet.position(inner[0]);
     const double v = d.y() / (sheet.bond_A * 1.5), whole = std::round(v);
@@ -124,7 +124,7 @@ TEST(SpringNetwork, BondsSoftenUnderStrain) {
   SpringNetwork network(sheet, constants);
   const auto in_plane_stiffness = [&](double strain) {  // of one atom inside, along x: 3/2 (k + T/l)
     network.factorise((1 + strain) * sheet.positions);
-    return dense(network)(3 * sheet.hexagon[0], 3 * sheet.hexagon[0]);
+    return dense(network)(3 * sheet.record[0], 3 * sheet.record[0]);
   };
   const double k = constants.stretch_eV_per_A2, e = 0.02, s = card.bond_softening;
   EXPECT_NEAR(in_plane_stiffness(0), 1.5 * k, 1e-6);

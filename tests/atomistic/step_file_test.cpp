@@ -23,6 +23,8 @@ class StepFile : public testing::Test {
   static Step step(int level) {
     Step s;
     s.level = level;
+    s.unloading = true;
+    s.target = 3.5;
     s.converged = true;
     s.depth_A = 1.25;
     s.force_eV_per_A = 0.1 + level;

@@ -1,0 +1,34 @@
+// The metric of the minimisation: the spring network's factor with what the load adds to it and gives back.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "atomistic/loads/load_term.hpp"
+#include "atomistic/spring_network.hpp"
+
+namespace atomistic {
+
+class Preconditioner {
+ public:
+  Preconditioner(const Sheet& sheet, const SpringConstants& constants) : sheet_(sheet), network_(sheet, constants) {}
+
+  /// At the positions of all atoms; the load is at its level, or absent.
+  void factorise(const Eigen::VectorXd& positions, LoadTerm* load);
+
+  /// (P − k kᵀ)⁻¹ r by Sherman and Morrison's formula; k is what the load gives back.
+  Eigen::VectorXd solve(const Eigen::VectorXd& r) const;
+
+  double factor_s() const { return factor_s_; }
+  double solve_s() const { return solve_s_; }
+
+ private:
+  Eigen::VectorXd network_solve(const Eigen::VectorXd& r) const;
+
+  const Sheet& sheet_;
+  SpringNetwork network_;
+  Eigen::VectorXd response_;  ///< P⁻¹k / √(1 − kᵀP⁻¹k); empty: no k
+  double factor_s_ = 0;
+  mutable double solve_s_ = 0;
+};
+
+}  // namespace atomistic
