@@ -36,8 +36,9 @@ python3-h5py
 
 usage() {
   cat <<'TXT'
-usage: ./bootstrap.sh [--no-install] [--list] [--help]
+usage: ./bootstrap.sh [--with-kim] [--no-install] [--list] [--help]
 
+  --with-kim    install the OpenKIM models too (openkim-models): more potentials, and their tests
   --no-install  do not install packages; stop with the list of what is missing
   --list        print the Debian packages, one per line, and stop
   --help        this text
@@ -50,6 +51,7 @@ TXT
 install=yes
 for argument in "$@"; do
   case "$argument" in
+    --with-kim) packages="$packages openkim-models" ;;
     --no-install) install=no ;;
     --list) printf '%s\n' $packages; exit 0 ;;
     --help|-h) usage; exit 0 ;;

@@ -3,112 +3,21 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "atomistic/homogeneous_cell.hpp"
 #include "atomistic/lammps.hpp"
 
 namespace atomistic {
 namespace {
 
 using Eigen::Matrix2d;
-using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-constexpr double half_height_A = 20;  ///< the cell is empty above and below the sheet
-
-/// Rectangular four-atom cell, zigzag along x: a × √3 a, repeated.
-struct Supercell {
-  int along_x, along_y;
-  double a;
-
-  int atoms() const { return 4 * along_x * along_y; }
-  static int sublattice(int atom) { return atom % 2; }
-  double area() const { return along_x * along_y * a * a * std::numbers::sqrt3; }
-
-  VectorXd positions() const {
-    const double b = std::numbers::sqrt3 * a;
-    // bonds along y: each pair (0, 1) and (2, 3) is one of them
-    const double basis[4][2] = {{0, 0}, {0, 1.0 / 3}, {0.5, 0.5}, {0.5, 5.0 / 6}};
-    VectorXd x(3 * atoms());
-    int k = 0;
-    for (int i = 0; i < along_x; ++i)
-      for (int j = 0; j < along_y; ++j)
-        for (const auto& [u, v] : basis) x.segment<3>(3 * k++) << a * (i + u), b * (j + v), 0.0;
-    return x;
-  }
-
-  Box box(const Matrix2d& f = Matrix2d::Identity()) const {
-    return {.low = {0, 0, -half_height_A},
-            .high = {f(0, 0) * along_x * a, f(1, 1) * along_y * std::numbers::sqrt3 * a, half_height_A},
-            .tilt_xy = f(0, 1) * along_y * std::numbers::sqrt3 * a,
-            .periodic = true};
-  }
-};
-
-/// Flat cell under a homogeneous upper-triangular deformation gradient, sublattice 1 shifted until it is in
-/// balance.
-class HomogeneousCell {
- public:
-  HomogeneousCell(const Potential& potential, const Supercell& cell, const std::string& log_file)
-      : cell_(cell), flat_(cell.positions()), forces_(potential, cell.box(), flat_, log_file) {}
-
-  double energy_per_atom() const { return energy_ / cell_.atoms(); }
-
-  /// Membrane force N (Cauchy, eV/Å²) with the atoms placed affinely.
-  Matrix2d affine(const Matrix2d& f) {
-    forces_.set_box(cell_.box(f));
-    shift_.setZero();
-    evaluate(f);
-    return forces_.membrane_force();
-  }
-
-  /// Membrane force with the inner displacement relaxed by Newton's method.
-  Matrix2d relaxed(const Matrix2d& f) {
-    forces_.set_box(cell_.box(f));
-    shift_.setZero();
-    Vector2d residual = evaluate(f);
-    const Matrix2d stiffness = shift_stiffness(f, residual);
-    for (int i = 0; i < 30 && residual.norm() > 1e-11 * stiffness.norm(); ++i) {
-      shift_ += stiffness.inverse() * residual;
-      residual = evaluate(f);
-    }
-    return forces_.membrane_force();
-  }
-
- private:
-  /// Mean in-plane force on an atom of sublattice 1.
-  Vector2d evaluate(const Matrix2d& f) {
-    VectorXd x = flat_;
-    for (int i = 0; i < cell_.atoms(); ++i)
-      x.segment<2>(3 * i) = f * flat_.segment<2>(3 * i) + Supercell::sublattice(i) * shift_;
-    energy_ = forces_.evaluate(x, atom_forces_);
-    Vector2d mean = Vector2d::Zero();
-    for (int i = 0; i < cell_.atoms(); ++i)
-      if (Supercell::sublattice(i) == 1) mean += atom_forces_.segment<2>(3 * i);
-    return mean / (cell_.atoms() / 2.0);
-  }
-
-  Matrix2d shift_stiffness(const Matrix2d& f, const Vector2d& at_rest) {
-    constexpr double small = 1e-4;
-    Matrix2d k;
-    for (int c : {0, 1}) {
-      shift_ = small * Vector2d::Unit(c);
-      k.col(c) = (at_rest - evaluate(f)) / small;
-    }
-    shift_.setZero();
-    return k;
-  }
-
-  Supercell cell_;
-  VectorXd flat_, atom_forces_;
-  ForceField forces_;
-  Vector2d shift_ = Vector2d::Zero();
-  double energy_ = 0;
-};
 
 /// a0 from the zero of the isotropic membrane force, by the secant method from graphene's 2.46 Å.
 double lattice_constant(const Potential& potential, const std::string& log_file) {
@@ -131,18 +40,6 @@ double lattice_constant(const Potential& potential, const std::string& log_file)
     throw std::runtime_error(
         fmt::format("no flat sheet without membrane force found near a = 2.46 Å (reached {})", a));
   return a;
-}
-
-/// Second Piola–Kirchhoff membrane force J F⁻¹ N F⁻ᵀ.
-Matrix2d pulled_back(const Matrix2d& f, const Matrix2d& cauchy) {
-  const Matrix2d inverse = f.inverse();
-  return f.determinant() * inverse * cauchy * inverse.transpose();
-}
-
-/// Upper-triangular F with FᵀF = 1 + 2E.
-Matrix2d gradient_of_strain(const Matrix2d& strain) {
-  const Matrix2d c = Matrix2d::Identity() + 2 * strain;
-  return Eigen::LLT<Matrix2d>(c).matrixU();
 }
 
 /// dS/dE along `strain`, by central differences.

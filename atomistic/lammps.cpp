@@ -38,6 +38,26 @@ std::string with_file(std::string line, const std::string& file) {
   return line;
 }
 
+/// Pair styles of this LAMMPS that begin with the same letters, for a message.
+std::string styles_like(void* lammps, const std::string& style) {
+  std::string alike;
+  const int count = lammps_style_count(lammps, "pair");
+  for (int i = 0; i < count; ++i) {
+    char name[128] = {};
+    if (lammps_style_name(lammps, "pair", i, name, sizeof name) && std::string(name).substr(0, 3) == style.substr(0, 3))
+      alike += (alike.empty() ? "" : ", ") + std::string(name);
+  }
+  return alike.empty() ? "" : "; those that begin alike: " + alike;
+}
+
+/// Before LAMMPS is told, so that it does not end the process over it.
+void require_style(void* lammps, const std::string& pair_style) {
+  const std::string style = pair_style.substr(0, pair_style.find(' '));
+  if (!lammps_has_style(lammps, "pair", style.c_str()))
+    throw BadPotential(
+        fmt::format("pair_style: this LAMMPS has no pair style '{}'{}", style, styles_like(lammps, style)));
+}
+
 }  // namespace
 
 MpiSession::MpiSession(int* argc, char*** argv) { MPI_Init(argc, argv); }
@@ -105,6 +125,13 @@ struct ForceField::Instance {
     local.resize(positions.size());
   }
 
+  void set_potential(const Potential& potential) {
+    if (!potential.kim_model.empty()) return command("kim interactions C");
+    require_style(lammps, potential.pair_style);
+    command("pair_style " + potential.pair_style);
+    for (const std::string& line : potential.pair_coeff) command("pair_coeff " + with_file(line, potential.file));
+  }
+
   /// Writes this rank's atoms; the order of LAMMPS's arrays changes when atoms change ranks, so go by id.
   void put(const Eigen::VectorXd& positions) {
     const int own = *static_cast<int*>(lammps_extract_global(lammps, "nlocal"));
@@ -146,7 +173,10 @@ ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::
   Instance& in = *instance_;
   in.box = box;
   in.open(log_file);
-  in.command("units metal");
+  if (potential.kim_model.empty())
+    in.command("units metal");
+  else
+    in.command(fmt::format("kim init {} metal", potential.kim_model));
   in.command("atom_style atomic");
   in.command("atom_modify map array sort 0 0");  // creation order is kept, and a resumed run sums alike
   in.command(box.periodic ? "boundary p p f" : "boundary f f f");
@@ -157,9 +187,7 @@ ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::
                          box.tilt_xy));
   in.command("create_box 1 cell");
   in.command(fmt::format("mass 1 {:.17g}", potential.mass));
-  in.command("pair_style " + potential.pair_style);
-  for (const std::string& line : potential.pair_coeff)
-    in.command("pair_coeff " + with_file(line, potential.file));
+  in.set_potential(potential);
   in.command("neighbor 0.5 bin");
   in.command("neigh_modify every 1 delay 0 check yes");
   in.command("thermo_style custom step pe pxx pyy pxy");

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "atomistic/problem.hpp"
@@ -23,6 +24,11 @@ struct ForceTiming {
   long calls = 0;
   double force_s = 0;  ///< pair, neighbour, communication
   double setup_s = 0;  ///< creating the atoms, and the set-up runs with their first force computation
+};
+
+/// A potential's description asks for something that this LAMMPS does not have.
+struct BadPotential : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// MPI, for the process's life. Holds what the ranks other than 0 need: they serve force computations only.

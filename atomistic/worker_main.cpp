@@ -9,6 +9,7 @@
 #include <iostream>
 #include <exception>
 #include <string>
+#include <system_error>
 
 #include "atomistic/card.hpp"
 #include "atomistic/indentation.hpp"
@@ -17,6 +18,7 @@
 #include "atomistic/protocol/event.hpp"
 #include "atomistic/protocol/job.hpp"
 #include "atomistic/protocol/step_file.hpp"
+#include "atomistic/response.hpp"
 
 namespace {
 
@@ -27,6 +29,11 @@ void tell(const Event& event) {
   if (!std::cout) MpiSession::abort(1);
 }
 
+Fault fault_of(const std::exception& e) {
+  if (dynamic_cast<const BadPotential*>(&e)) return Fault::bad_input;
+  return dynamic_cast<const std::system_error*>(&e) ? Fault::file : Fault::program;
+}
+
 struct Worker {
   const MpiSession& session;
   const std::string& log_file;
@@ -35,6 +42,12 @@ struct Worker {
   void operator()(const CardJob& job) const {
     if (session.rank() != 0) return;
     tell(CardEvent{compute_card(job.potential, log_file)});
+    tell(EndEvent{});
+  }
+
+  void operator()(const ResponseJob& job) const {
+    if (session.rank() != 0) return;
+    tell(ResponseEvent{compute_response(job.potential, job.card, job.strains, log_file)});
     tell(EndEvent{});
   }
 
@@ -57,7 +70,8 @@ struct Worker {
 }  // namespace
 
 int main(int argc, char** argv) {
-  signal(SIGPIPE, SIG_IGN);  // seen as a failed write instead
+  signal(SIGPIPE, SIG_IGN);  // seen as a failed write instead,
+  signal(SIGXFSZ, SIG_IGN);  // and so is a file above the limit
   MpiSession session(&argc, &argv);
   use_one_math_thread();
   const int release = lammps_release();
@@ -75,7 +89,7 @@ int main(int argc, char** argv) {
     std::visit(Worker{session, job.log_file}, job.work);
     return 0;
   } catch (const std::exception& e) {
-    if (session.rank() == 0) tell(ErrorEvent{e.what()});
+    if (session.rank() == 0) tell(ErrorEvent{e.what(), fault_of(e)});
     std::cerr << "validate-atoms: " << e.what() << std::endl;
     if (session.ranks() > 1) MpiSession::abort(1);
     return 1;

@@ -68,9 +68,11 @@ struct RunningJob {
   ChildProcess child;
   bool ended_well = false;
   std::string error;  ///< what the program itself said
+  atomistic::Fault fault = atomistic::Fault::program;
 
   std::string failure() {
     const ChildEnd end = child.wait();
+    if (fault != atomistic::Fault::program) return error;
     if (const auto line = line_with(log, "ERROR"))
       return fmt::format("LAMMPS stopped: \"{}\" (last command: {}; log: {})", *line, last_command(log), log.string());
     if (!error.empty()) return fmt::format("validate-atoms stopped: {} (log: {})", error, log.string());
@@ -85,7 +87,7 @@ struct RunningJob {
 
   void note(const atomistic::Event& event) {
     if (std::holds_alternative<atomistic::EndEvent>(event)) ended_well = true;
-    if (const auto* e = std::get_if<atomistic::ErrorEvent>(&event)) error = e->message;
+    if (const auto* e = std::get_if<atomistic::ErrorEvent>(&event)) error = e->message, fault = e->fault;
   }
 };
 
@@ -103,7 +105,8 @@ RunningJob start(const AtomsLaunch& launch, const AtomsJob& job, std::size_t ind
           .log = job.job.log_file,
           .child = ChildProcess({command_words(launch, job.ranks, job_file), folder, folder / "stderr"}),
           .ended_well = false,
-          .error = {}};
+          .error = {},
+          .fault = atomistic::Fault::program};
 }
 
 void wait_for_output(std::list<RunningJob>& running) {
@@ -154,6 +157,7 @@ std::vector<AtomsOutcome> run_jobs(const AtomsLaunch& launch, const std::vector<
       if (job.child.output() >= 0) return false;
       outcomes[job.index].finished = job.child.wait().good() && job.ended_well;
       if (!outcomes[job.index].finished) outcomes[job.index].failure = job.failure();
+      outcomes[job.index].fault = job.fault;
       busy -= jobs[job.index].ranks;
       return true;
     });

@@ -27,6 +27,7 @@ struct AtomsJob {
 /// How one job ended.
 struct AtomsOutcome {
   bool finished = false;
+  atomistic::Fault fault = atomistic::Fault::program;
   std::string failure;  ///< one message: LAMMPS's ERROR line, signal or status, where the log is
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <cmath>
 #include <utility>
 
 #include "compare/errors.hpp"
@@ -142,6 +143,15 @@ void check_levels(const Case& c, const Origins& origins) {
   }
 }
 
+void check_places(const std::vector<double>& places, std::string_view name, const Case& c, const Origins& origins) {
+  if (places.size() % 2 != 0)
+    throw bad_input("{}: {} numbers are not pairs x,y", label_of(origins, name), places.size());
+  for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+    if (!(std::hypot(places[i], places[i + 1]) < c.radius_A))
+      throw bad_input("{}: the place {}, {} Å lies outside the free sheet, whose radius is {} Å", label_of(origins, name),
+                      places[i], places[i + 1], c.radius_A);
+}
+
 void check_window(const Case& c, const Origins& origins) {
   const bool increasing = c.window.size() == 2 && c.window[0] < c.window[1];
   if (!increasing) {
@@ -199,6 +209,8 @@ std::vector<std::string> check(const Case& c, const Origins& origins) {
   }
   check_loads(c, origins);
   check_levels(c, origins);
+  check_places(c.vacancies_A, "vacancies", c, origins);
+  check_places(c.stone_wales_A, "stone-wales", c, origins);
   check_window(c, origins);
   return warnings(c, origins);
 }

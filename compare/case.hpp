@@ -13,6 +13,7 @@
 namespace compare {
 
 inline constexpr std::array<std::string_view, 2> load_names = {"point", "disc"};
+inline constexpr std::array<std::string_view, 2> centre_names = {"hexagon", "atom"};
 inline constexpr std::array<std::string_view, 3> model_names = {"membrane", "atomistic", "both"};
 
 struct Case {
@@ -32,6 +33,11 @@ struct Case {
   // [atomistic]
   double force_tolerance_eV_per_A = 1e-5;
   bool past_artefact = false;
+  bool unloading = false;  ///< back through the depths that were reached
+  std::optional<double> switch_length_A;  ///< absent: the potential as it is
+  std::string centre = "hexagon";         ///< what the axis goes through: hexagon | atom
+  double rotation_deg = 0;                ///< of the lattice
+  std::vector<double> vacancies_A, stone_wales_A;  ///< places x, y, x, y, …
 
   // [agreement]
   std::string judged_load = "disc";
@@ -69,6 +75,18 @@ void describe(Self& c, Visitor&& visit) {
   visit(
       Field{"past-artefact", {}, "go on past the bond length where forces are an artefact", {}, "atomistic"},
       c.past_artefact);
+
+  visit(Field{"unloading", {}, "go back through the depths that were reached", {}, "atomistic"}, c.unloading);
+  visit(Field{"switch-length", unit::length, "move the C-C switch of AIREBO or REBO there, in a copy of its file",
+              from_to(1.70, 1.99), "atomistic"},
+        c.switch_length_A);
+  visit(Field{"centre", {}, "what the axis goes through", {}, "atomistic", centre_names}, c.centre);
+  visit(Field{"rotation-deg", {}, "turns the lattice, degrees", from_to(-360, 360), "atomistic"}, c.rotation_deg);
+  visit(Field{"vacancies", unit::length, "places x,y,x,y,... whose nearest atom is missing", {}, "atomistic"},
+        c.vacancies_A);
+  visit(Field{"stone-wales", unit::length, "places x,y,x,y,... whose nearest bond is turned by 90 degrees", {},
+              "atomistic"},
+        c.stone_wales_A);
 
   visit(Field{"judged-load", {}, "load whose curves the verdict compares", {}, "agreement", load_names},
         c.judged_load);

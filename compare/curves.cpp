@@ -26,6 +26,34 @@ void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
   run.factorisations.push_back(step.factorisations);
 }
 
+namespace {
+
+double trapezoids(const std::vector<double>& x, const std::vector<double>& y, std::size_t first) {
+  double sum = 0;
+  for (std::size_t k = first + 1; k < x.size(); ++k) sum += (x[k] - x[k - 1]) * (y[k] + y[k - 1]) / 2;
+  return sum;
+}
+
+}  // namespace
+
+Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps) {
+  Unloading back{.load = run.load};
+  for (const atomistic::Step& step : steps) {
+    if (!step.unloading || !step.converged) continue;
+    back.depth_A.push_back(step.depth_A);
+    back.conjugate_depth_A.push_back(step.conjugate_depth_A);
+    back.force_eV_per_A.push_back(step.force_eV_per_A);
+  }
+  const std::size_t returned = back.depth_A.size(), loaded = run.depth_A.size();
+  if (returned == 0 || loaded <= returned) return back;
+  std::vector<double> d = back.conjugate_depth_A, f = back.force_eV_per_A;
+  d.insert(d.begin(), run.conjugate_depth_A.back());
+  f.insert(f.begin(), run.force_eV_per_A.back());
+  const double there = trapezoids(run.conjugate_depth_A, run.force_eV_per_A, loaded - 1 - returned);
+  back.hysteresis_relative = (there + trapezoids(d, f, 0)) / there;
+  return back;
+}
+
 void close(Run& run, const membrane::Report& report) {
   run.triangles = report.triangles;
   run.ended = report.converged ? Ended::depth_max : Ended::not_converged;

@@ -12,6 +12,10 @@ void append(Run& run, const membrane::Step& step);
 /// `artefact_from_A` is the potential's own length from which forces are an artefact.
 void append(Run& run, const atomistic::Step& step, double artefact_from_A);
 
+/// The way back, after `run` holds the way there. The lost work is integrated by the trapezoidal rule over both, which
+/// share their depths, so that the rule's error cancels; the depth common to both is the range.
+Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps);
+
 void close(Run& run, const membrane::Report& report);
 void close(Run& run, const atomistic::Report& report);
 

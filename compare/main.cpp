@@ -20,6 +20,7 @@
 #include "compare/commands/indentation.hpp"
 #include "compare/commands/model.hpp"
 #include "compare/commands/report.hpp"
+#include "compare/commands/potential.hpp"
 #include "compare/errors.hpp"
 #include "compare/nearest.hpp"
 #include "compare/provenance.hpp"
@@ -40,6 +41,7 @@ constexpr std::array commands = {
     Command{"fit", compare::add_fit},
     Command{"indentation", compare::add_indentation},
     Command{"model", compare::add_model},
+    Command{"potential", compare::add_potential},
     Command{"report", compare::add_report},
 };
 

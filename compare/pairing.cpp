@@ -37,6 +37,19 @@ const LoadPair& load_pair(std::string_view name) {
   throw bad_input("unknown load '{}'", name);
 }
 
+std::vector<Eigen::Vector2d> places(const std::vector<double>& numbers) {
+  std::vector<Eigen::Vector2d> all;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) all.emplace_back(numbers[i], numbers[i + 1]);
+  return all;
+}
+
+atomistic::SheetForm sheet_form(const Case& c) {
+  return {.centre = c.centre == "atom" ? atomistic::Centre::atom : atomistic::Centre::hexagon,
+          .rotation_deg = c.rotation_deg,
+          .vacancies = places(c.vacancies_A),
+          .stone_wales = places(c.stone_wales_A)};
+}
+
 bool dead_forces(const Case& c) { return !c.forces_eV_per_A.empty(); }
 
 /// Membrane with its radii, constants and pretension; the case supplies the rest.
@@ -71,7 +84,7 @@ double pretension_strain(const Case& c, const atomistic::Card& card) {
 
 PairedSheet::PairedSheet(const Case& c, const atomistic::Potential& potential, const atomistic::Card& card)
     : strain_(pretension_strain(c, card)),
-      sheet_(atomistic::make_sheet(c.radius_A, card.a0_A, strain_, potential.interaction_range_A)) {}
+      sheet_(atomistic::make_sheet(c.radius_A, card.a0_A, strain_, potential.interaction_range_A, sheet_form(c))) {}
 
 double PairedSheet::effective_tip_A(const atomistic::Load& load) const {
   const double loaded = static_cast<double>(atomistic::loaded_atoms(load, sheet_).size());
@@ -90,7 +103,9 @@ AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potenti
   e.problem.potential = potential;
   e.problem.card = card;
   e.problem.radius_A = c.radius_A;
+  e.problem.form = pair.sheet().form;
   e.problem.biaxial_strain = pair.biaxial_strain();
+  e.problem.unload = c.unloading;
   e.problem.load = atomistic_load(c, load);
   e.problem.control = dead_forces(c) ? atomistic::Control::force : atomistic::Control::conjugate_depth;
   e.problem.levels = levels;

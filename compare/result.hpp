@@ -159,9 +159,16 @@ struct Timing {
   std::optional<long> force_calls;
 };
 
+/// The way back of an atomistic curve.
+struct Unloading {
+  std::string load;
+  double hysteresis_relative = not_known;  ///< work lost on the way there and back over the work put in
+  std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A;
+};
+
 struct Provenance {
   std::string version, git, lammps, gsl, hdf5, suitesparse, blas;
-  std::string potential_file, potential_sha256, command_line;
+  std::string potential_file, potential_sha256, potential_edit, command_line;
 };
 
 struct Result {
@@ -172,6 +179,7 @@ struct Result {
   std::optional<Agreement> agreement;
   std::string agreement_skipped;  ///< why there is no verdict
   std::vector<Comparison> comparisons;  ///< one per load that both models computed
+  std::vector<Unloading> unloading;
   Timing timing;
   Provenance provenance;
 };

@@ -216,6 +216,17 @@ void describe(Self& timing, Visitor&& visit) {
 }
 
 template <class Self, class Visitor>
+requires SameStruct<Self, Unloading>
+void describe(Self& unloading, Visitor&& visit) {
+  visit(Field{"load", unit::none, "name of the load"}, unloading.load);
+  visit(Field{"hysteresis_relative", unit::none, "work lost there and back, over the work put in"},
+        unloading.hysteresis_relative);
+  visit(Field{"depth", unit::length, "depth of record on the way back"}, unloading.depth_A);
+  visit(Field{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"}, unloading.conjugate_depth_A);
+  visit(Field{"force", unit::force, "total force on the full sheet"}, unloading.force_eV_per_A);
+}
+
+template <class Self, class Visitor>
 requires SameStruct<Self, Provenance>
 void describe(Self& provenance, Visitor&& visit) {
   visit(Field{"version", unit::none, "version of validate"}, provenance.version);
@@ -227,6 +238,7 @@ void describe(Self& provenance, Visitor&& visit) {
   visit(Field{"blas", unit::none, "BLAS library loaded"}, provenance.blas);
   visit(Field{"potential_file", unit::none, "the potential's parameter file"}, provenance.potential_file);
   visit(Field{"potential_sha256", unit::none, "its SHA-256"}, provenance.potential_sha256);
+  visit(Field{"potential_edit", unit::none, "what was changed in a copy of it"}, provenance.potential_edit);
   visit(Field{"command_line", unit::none, "the command that made this"}, provenance.command_line);
 }
 

@@ -28,7 +28,8 @@ bool is_run_file(const std::string& name) {
                                         "figure.png", "window_scan.svg", "window_scan.png",
                                         "report.html", "lammps.log", "work"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
-         (name.starts_with("atoms-") && name.ends_with(".extxyz"));
+         (name.starts_with("atoms-") && (name.ends_with(".extxyz") || name.ends_with(".data"))) ||
+         name.starts_with("switched-");
 }
 
 enum class Holds { nothing, finished_run, unfinished_run, something_else };

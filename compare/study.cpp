@@ -102,6 +102,7 @@ class Study {
     if (potential_) {
       outcome_.result.provenance.potential_file = potential_->potential.file;
       outcome_.result.provenance.potential_sha256 = potential_->sha256;
+      outcome_.result.provenance.potential_edit = potential_->edit;
       if (compute_card()) compare_models();
     } else {
       for (const std::string& load : case_.loads)
@@ -127,6 +128,10 @@ class Study {
           if (const auto* e = std::get_if<atomistic::CardEvent>(&event)) card_ = e->card;
           note_start(event);
         });
+    if (outcomes[0].fault == atomistic::Fault::bad_input) {
+      fs::remove_all(work() / "card");
+      throw bad_input("potential '{}': {}", case_.potential, outcomes[0].failure);
+    }
     if (!outcomes[0].finished || !card_) {
       outcome_.failure = "the potential card: " + outcomes[0].failure;
       return false;
@@ -229,14 +234,17 @@ class Study {
   /// they hold.
   void collect(AtomisticExperiment& e, const std::optional<atomistic::Report>& report,
                const AtomsOutcome& outcome) {
-    for (const atomistic::Step& step : atomistic::read_finished_steps(steps_folder(e)))
-      append(e.run, step, potential_->potential.artefact_bond_A);
+    const std::vector<atomistic::Step> steps = atomistic::read_finished_steps(steps_folder(e));
+    for (const atomistic::Step& step : steps)
+      if (!step.unloading) append(e.run, step, potential_->potential.artefact_bond_A);
+    if (case_.unloading) outcome_.result.unloading.push_back(unloading_of(e.run, steps));
     if (outcome.finished && report) {
       close(e.run, *report);
       add(outcome_.result.timing, *report);
     } else {
       e.run.ended.reset();
       e.run.ended_reason = outcome.failure;
+      if (outcome.fault == atomistic::Fault::file) outcome_.failure_code = ExitCode::file_failed;
       if (outcome_.failure.empty())
         outcome_.failure = fmt::format("atoms, {} load: {}", e.run.load, outcome.failure);
     }
@@ -245,7 +253,8 @@ class Study {
   /// Levels done so far, a level in progress counting half.
   void show(std::size_t index, const atomistic::ProgressEvent& event) {
     const auto& levels = atoms_[index].problem.levels;
-    done_[atoms_[index].run.load] = (event.level + 0.5) / static_cast<double>(levels.size());
+    const double steps = static_cast<double>(levels.size()) * (case_.unloading ? 2 : 1) - (case_.unloading ? 1 : 0);
+    done_[atoms_[index].run.load] = (event.level + 0.5) / steps;
     double sum = 0;
     for (const auto& [load, done] : done_) sum += done;
     const double fraction = sum / static_cast<double>(atoms_.size());

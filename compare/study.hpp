@@ -8,6 +8,7 @@
 #include "atomistic/sheet.hpp"
 #include "compare/atoms.hpp"
 #include "compare/case.hpp"
+#include "compare/errors.hpp"
 #include "compare/potential_file.hpp"
 #include "compare/progress.hpp"
 #include "compare/result.hpp"
@@ -25,6 +26,7 @@ struct StudyOutcome {
   Result result;
   std::optional<atomistic::Sheet> sheet;  ///< where atoms were asked for
   std::string failure;  ///< of the atomistic program; empty: none
+  ExitCode failure_code = ExitCode::atomistic_failed;
 };
 
 /// Runs the case. `potential` is there unless the case has its own constants.

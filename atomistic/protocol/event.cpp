@@ -8,17 +8,19 @@
 
 namespace atomistic {
 
+NLOHMANN_JSON_SERIALIZE_ENUM(Fault, {{Fault::program, "program"}, {Fault::bad_input, "bad_input"}, {Fault::file, "file"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StartEvent, lammps_version, ranks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CardEvent, card)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgressEvent, level, evaluations, max_force_eV_per_A)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StepEvent, level, file)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndEvent, report)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorEvent, message)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ResponseEvent, response)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorEvent, message, fault)
 
 namespace {
 
 /// In the order of the variant's alternatives.
-constexpr std::array<std::string_view, std::variant_size_v<Event>> names = {"start", "card", "progress",
+constexpr std::array<std::string_view, std::variant_size_v<Event>> names = {"start", "card", "response", "progress",
                                                                             "step",  "end",  "error"};
 
 template <std::size_t index = 0>

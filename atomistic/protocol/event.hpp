@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "atomistic/problem.hpp"
+#include "atomistic/response.hpp"
 
 namespace atomistic {
 
@@ -16,6 +17,10 @@ struct StartEvent {
 
 struct CardEvent {
   Card card;
+};
+
+struct ResponseEvent {
+  Response response;
 };
 
 struct ProgressEvent {
@@ -33,11 +38,18 @@ struct EndEvent {
   Report report;
 };
 
-struct ErrorEvent {
-  std::string message;
+enum class Fault {
+  program,    ///< ours or LAMMPS's
+  bad_input,  ///< the potential's description asks for what LAMMPS does not have
+  file        ///< a step could not be written
 };
 
-using Event = std::variant<StartEvent, CardEvent, ProgressEvent, StepEvent, EndEvent, ErrorEvent>;
+struct ErrorEvent {
+  std::string message;
+  Fault fault = Fault::program;
+};
+
+using Event = std::variant<StartEvent, CardEvent, ResponseEvent, ProgressEvent, StepEvent, EndEvent, ErrorEvent>;
 
 std::string to_line(const Event& event);  ///< without the newline
 

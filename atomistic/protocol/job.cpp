@@ -107,6 +107,8 @@ void write_job(const Job& job, const std::filesystem::path& file) {
   json j = {{"log_file", job.log_file}};
   if (const auto* curve = std::get_if<CurveJob>(&job.work))
     j["curve"] = {{"problem", problem_to_json(curve->problem)}, {"steps_folder", curve->steps_folder}};
+  else if (const auto* response = std::get_if<ResponseJob>(&job.work))
+    j["response"] = {{"potential", response->potential}, {"card", response->card}, {"strains", response->strains}};
   else
     j["card"] = {{"potential", std::get<CardJob>(job.work).potential}};
   std::ofstream out(file);
@@ -123,6 +125,8 @@ Job read_job(const std::filesystem::path& file) {
     job.log_file = j.at("log_file");
     if (j.contains("card"))
       job.work = CardJob{j.at("card").at("potential")};
+    else if (j.contains("response"))
+      job.work = ResponseJob{j["response"].at("potential"), j["response"].at("card"), j["response"].at("strains")};
     else
       job.work = CurveJob{problem_from_json(j.at("curve").at("problem")), j.at("curve").at("steps_folder")};
     return job;

@@ -6,11 +6,19 @@
 #include <variant>
 
 #include "atomistic/problem.hpp"
+#include "atomistic/response.hpp"
 
 namespace atomistic {
 
 struct CardJob {
   Potential potential;
+};
+
+/// Stress–strain curves, and single states of homogeneous strain.
+struct ResponseJob {
+  Potential potential;
+  Card card;
+  std::vector<StrainState> strains;
 };
 
 struct CurveJob {
@@ -19,7 +27,7 @@ struct CurveJob {
 };
 
 struct Job {
-  std::variant<CardJob, CurveJob> work;
+  std::variant<CardJob, ResponseJob, CurveJob> work;
   std::string log_file;  ///< LAMMPS's log
 };
 

@@ -1,9 +1,11 @@
 // JSON forms of the plain structs that cross between the two programs.
 #pragma once
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "atomistic/problem.hpp"
+#include "atomistic/response.hpp"
 
 namespace atomistic {
 
@@ -12,6 +14,40 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Potential, name, pair_style, pair_coeff, file
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, a0_A, energy_per_atom_eV, C11_eV_per_A2, C12_eV_per_A2,
                                    C66_eV_per_A2, bending_modulus_zigzag_eV, bending_modulus_armchair_eV,
                                    sublattice_stiffness_eV_per_A2, bond_softening)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StrainState, E11, E22, E12, orientation_deg)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HomogeneousState, strain, S11_eV_per_A2, S22_eV_per_A2, S12_eV_per_A2,
+                                   energy_eV_per_A2, longest_bond_A, shift_x_A, shift_y_A, converged)
+
+/// A number that JSON cannot hold is null there.
+inline double number_or_nan(const nlohmann::json& j) { return j.is_null() ? std::nan("") : j.get<double>(); }
+
+inline void to_json(nlohmann::json& j, const StressCurve& c) {
+  j = {{"direction", c.direction},
+       {"strain", c.strain},
+       {"lateral_strain", c.lateral_strain},
+       {"stress_eV_per_A2", c.stress_eV_per_A2},
+       {"longest_bond_A", c.longest_bond_A},
+       {"secant_2_eV_per_A2", c.secant_2_eV_per_A2},
+       {"secant_5_eV_per_A2", c.secant_5_eV_per_A2},
+       {"secant_10_eV_per_A2", c.secant_10_eV_per_A2},
+       {"strength_eV_per_A2", c.strength_eV_per_A2},
+       {"strain_at_strength", c.strain_at_strength},
+       {"artefact_strain", c.artefact_strain ? nlohmann::json(*c.artefact_strain) : nlohmann::json(nullptr)}};
+}
+inline void from_json(const nlohmann::json& j, StressCurve& c) {
+  c = {.direction = j.at("direction"),
+       .strain = j.at("strain"),
+       .lateral_strain = j.at("lateral_strain"),
+       .stress_eV_per_A2 = j.at("stress_eV_per_A2"),
+       .longest_bond_A = j.at("longest_bond_A"),
+       .secant_2_eV_per_A2 = number_or_nan(j.at("secant_2_eV_per_A2")),
+       .secant_5_eV_per_A2 = number_or_nan(j.at("secant_5_eV_per_A2")),
+       .secant_10_eV_per_A2 = number_or_nan(j.at("secant_10_eV_per_A2")),
+       .strength_eV_per_A2 = j.at("strength_eV_per_A2"),
+       .strain_at_strength = j.at("strain_at_strength"),
+       .artefact_strain = j.at("artefact_strain").is_null() ? std::nullopt : std::optional<double>(j["artefact_strain"])};
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Response, curves, states)
 NLOHMANN_JSON_SERIALIZE_ENUM(Ended, {{Ended::depth_max, "depth_max"},
                                      {Ended::artefact, "artefact"},
                                      {Ended::rupture, "rupture"},

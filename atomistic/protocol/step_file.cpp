@@ -134,10 +134,12 @@ std::vector<Step> read_finished_steps(const fs::path& folder) {
   return steps;
 }
 
-std::optional<Step> read_last_step(const fs::path& folder) {
+std::optional<Step> read_deepest_step(const fs::path& folder) {
   int level = 0;
   while (fs::exists(folder / step_file_name(level))) ++level;
-  return level > 0 ? std::optional(read_step(folder / step_file_name(level - 1))) : std::nullopt;
+  while (level-- > 0)
+    if (Step step = read_step(folder / step_file_name(level)); !step.unloading) return step;
+  return std::nullopt;
 }
 
 }  // namespace atomistic

@@ -14,6 +14,7 @@
 #include "compare/commands/run_indentation.hpp"
 #include "compare/paths.hpp"
 #include "compare/potential_file.hpp"
+#include "compare/switch_length.hpp"
 
 namespace compare {
 namespace {
@@ -41,9 +42,12 @@ ReadCase read(const CaseFlags& flags, const RunOptions& options, const Variant& 
                                       : read_case(inputs_folder() / "indentation.toml", c);
   flags.apply(c, origins, variant);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
-  if (!has_given_constants(c))
+  if (!has_given_constants(c)) {
     result.potential =
         read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
+    for (const std::string& warning : result.potential->warnings) spdlog::warn("{}", warning);
+    if (c.switch_length_A) check_switch(*result.potential, label_of(origins, "switch-length"));
+  }
   return result;
 }
 

@@ -20,6 +20,7 @@
 #include "compare/plan.hpp"
 #include "compare/run_folder.hpp"
 #include "compare/study.hpp"
+#include "compare/switch_length.hpp"
 
 namespace compare {
 namespace {
@@ -56,18 +57,19 @@ bool any_run_ended(const Result& result, Ended how) {
 }
 
 ExitCode verdict(const StudyOutcome& outcome) {
-  if (!outcome.failure.empty()) return ExitCode::atomistic_failed;
+  if (!outcome.failure.empty()) return outcome.failure_code;
   if (any_run_ended(outcome.result, Ended::not_converged)) return ExitCode::not_converged;
   const auto& agreement = outcome.result.agreement;
   return agreement && !agreement->passed ? ExitCode::disagreement : ExitCode::success;
 }
 
-void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& folder) {
+void report(const StudyOutcome& outcome, const atomistic::Potential& potential, const RunOptions& options,
+            RunFolder& folder) {
   write_all(outcome.result, folder.path());
   write_lammps_log(folder.work(), folder.path());
   if (outcome.sheet)
     for (const std::string& load : outcome.result.resolved.loads)
-      write_deepest_sheet(outcome.result.resolved.potential, load, *outcome.sheet, folder.work(), folder.path());
+      write_deepest_sheet(potential, load, *outcome.sheet, folder.work(), folder.path());
   const bool table_on_stdout = !options.json || *options.json != "-";
   if (table_on_stdout && !outcome.result.runs.empty()) print_table(outcome.result, stdout);
   write_report(outcome.result, folder.path(), folder.path() / "report.html");  // last: it shows the sheets
@@ -79,7 +81,7 @@ nlohmann::ordered_json identity_of(const Case& c, const std::optional<PotentialF
   nlohmann::ordered_json identity = case_document(c);
   if (!potential) return identity;
   const atomistic::Potential& p = potential->potential;
-  identity["potential_definition"] = {p.pair_style, p.pair_coeff, potential->sha256, p.mass, p.interaction_range_A,
+  identity["potential_definition"] = {p.pair_style, p.pair_coeff, p.kim_model, potential->sha256, p.mass, p.interaction_range_A,
                                       p.artefact_bond_A};
   return identity;
 }
@@ -88,6 +90,12 @@ Error interrupted_in(const RunFolder& folder) {
   return Error(ExitCode::interrupted,
                fmt::format("interrupted; the finished depths are kept: continue with --resume --out '{}'",
                            folder.path().string()));
+}
+
+/// The potential that the run uses: its switch moved in a copy in the folder if asked for.
+std::optional<PotentialFile> prepared(const std::optional<PotentialFile>& potential, const Case& c, RunFolder& folder) {
+  if (!potential) return std::nullopt;
+  return c.switch_length_A ? with_switch_at(*potential, *c.switch_length_A, folder.path(), "switch-length") : potential;
 }
 
 }  // namespace
@@ -104,9 +112,10 @@ int run_indentation(const Case& c, const RunOptions& options, const std::optiona
   Progress progress(options.quiet);
   try {
     if (options.json) check_json_target(options.json->string());
-    const StudyOutcome outcome = run_study(c, potential, {launch, options.ranks, folder.path()}, progress);
-    report(outcome, options, folder);
-    if (!outcome.failure.empty()) throw Error(ExitCode::atomistic_failed, outcome.failure);
+    const auto used = prepared(potential, c, folder);
+    const StudyOutcome outcome = run_study(c, used, {launch, options.ranks, folder.path()}, progress);
+    report(outcome, used ? used->potential : atomistic::Potential(), options, folder);
+    if (!outcome.failure.empty()) throw Error(outcome.failure_code, outcome.failure);
     folder.finish();
     progress.say(fmt::format("wrote {}", folder.path().string()));
     return static_cast<int>(verdict(outcome));

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "atomistic/data_file.hpp"
 #include "atomistic/protocol/step_file.hpp"
 #include "compare/outputs/extxyz.hpp"
 #include "compare/outputs/file.hpp"
@@ -47,15 +48,15 @@ void write_lammps_log(const fs::path& work, const fs::path& folder) {
   write_file(folder / "lammps.log", all);
 }
 
-void write_deepest_sheet(const std::string& potential, const std::string& load, const atomistic::Sheet& sheet,
+void write_deepest_sheet(const atomistic::Potential& potential, const std::string& load, const atomistic::Sheet& sheet,
                          const fs::path& work, const fs::path& folder) {
-  const std::optional<atomistic::Step> step = atomistic::read_last_step(work / load / "steps");
+  const std::optional<atomistic::Step> step = atomistic::read_deepest_step(work / load / "steps");
   if (!step) return;
   const std::vector<Eigen::Vector3d> positions = by_atom(step->positions), forces = by_atom(step->forces);
   const std::vector<double> longest = longest_bond_by_atom(sheet, positions);
   std::vector<int> clamped(positions.size(), 1);
   std::fill_n(clamped.begin(), sheet.free_atoms, 0);
-  write_extxyz({.potential = potential,
+  write_extxyz({.potential = potential.name,
                 .load = load,
                 .depth_A = step->depth_A,
                 .force_eV_per_A = step->force_eV_per_A,
@@ -64,6 +65,7 @@ void write_deepest_sheet(const std::string& potential, const std::string& load, 
                 .longest_bond_A = longest,
                 .clamped = clamped},
                folder / fmt::format("atoms-{}.extxyz", load));
+  write_file(folder / fmt::format("atoms-{}.data", load), atomistic::data_file(potential, step->positions));
 }
 
 }  // namespace compare

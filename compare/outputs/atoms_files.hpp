@@ -11,8 +11,9 @@ namespace compare {
 /// Joins `work`/*/log.lammps into `folder`/lammps.log. Throws Error (file failed).
 void write_lammps_log(const std::filesystem::path& work, const std::filesystem::path& folder);
 
-/// Writes `folder`/atoms-<load>.extxyz with the last finished level below `work`/<load>/steps, if there is one.
-void write_deepest_sheet(const std::string& potential, const std::string& load, const atomistic::Sheet& sheet,
+/// Writes the last finished level of the way there below `work`/<load>/steps, if there is one, as
+/// `folder`/atoms-<load>.extxyz and as a LAMMPS data file, atoms-<load>.data.
+void write_deepest_sheet(const atomistic::Potential& potential, const std::string& load, const atomistic::Sheet& sheet,
                          const std::filesystem::path& work, const std::filesystem::path& folder);
 
 }  // namespace compare

@@ -6,10 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <sstream>
 #include <string>
 
-PlainLammps::PlainLammps(const atomistic::Potential& potential, const std::filesystem::path& data_file) {
-  std::string words[] = {"plain", "-log", "none", "-screen", "none", "-nocite"};
+PlainLammps::PlainLammps(const atomistic::Potential& potential, const std::filesystem::path& data_file)
+    : log_(data_file.string() + ".log") {
+  std::string words[] = {"plain", "-log", log_.string(), "-screen", "none", "-nocite"};
   char* arguments[std::size(words)];
   for (std::size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
   lammps_ = lammps_open(static_cast<int>(std::size(words)), arguments, MPI_COMM_WORLD, nullptr);
@@ -24,7 +27,20 @@ PlainLammps::PlainLammps(const atomistic::Potential& potential, const std::files
   command("thermo_modify norm no");
 }
 
-PlainLammps::~PlainLammps() { lammps_close(lammps_); }
+PlainLammps::~PlainLammps() {
+  lammps_close(lammps_);
+  std::filesystem::remove(log_);
+}
+
+/// From the log's "Iterations, force evaluations = 12 34".
+long PlainLammps::evaluations() const {
+  std::ifstream in(log_);
+  long iterations = 0, count = 0;
+  for (std::string line; std::getline(in, line);)
+    if (const auto at = line.find("force evaluations ="); at != std::string::npos)
+      std::istringstream(line.substr(at + 19)) >> iterations >> count;
+  return count;
+}
 
 void PlainLammps::command(const std::string& line) { lammps_command(lammps_, line.c_str()); }
 

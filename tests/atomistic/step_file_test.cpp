@@ -23,7 +23,6 @@ class StepFile : public testing::Test {
   static Step step(int level) {
     Step s;
     s.level = level;
-    s.unloading = true;
     s.target = 3.5;
     s.converged = true;
     s.depth_A = 1.25;
@@ -38,10 +37,13 @@ class StepFile : public testing::Test {
 };
 
 TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
-  const Step before = step(3);
+  Step before = step(3);
+  before.unloading = true;
   write_step(before, folder);
   const Step after = read_step(folder / step_file_name(3));
   EXPECT_EQ(after.level, 3);
+  EXPECT_TRUE(after.unloading);
+  EXPECT_EQ(after.target, before.target);
   EXPECT_TRUE(after.converged);
   EXPECT_EQ(after.depth_A, before.depth_A);
   EXPECT_EQ(after.force_eV_per_A, before.force_eV_per_A);
@@ -55,8 +57,14 @@ TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
 TEST_F(StepFile, FinishedStepsEndAtTheFirstGap) {
   for (int level : {0, 1, 3}) write_step(step(level), folder);
   EXPECT_EQ(read_finished_steps(folder).size(), 2u);
-  EXPECT_EQ(read_last_step(folder)->level, 1);
-  EXPECT_FALSE(read_last_step(folder / "nowhere"));
+  EXPECT_EQ(read_deepest_step(folder)->level, 1);
+  Step back = step(2);
+  back.unloading = true;
+  write_step(back, folder);
+  fs::remove(folder / step_file_name(3));
+  EXPECT_EQ(read_finished_steps(folder).size(), 3u);
+  EXPECT_EQ(read_deepest_step(folder)->level, 1) << "the way back is not the deepest";
+  EXPECT_FALSE(read_deepest_step(folder / "nowhere"));
 }
 
 TEST_F(StepFile, AFileCutShortIsRefusedByName) {

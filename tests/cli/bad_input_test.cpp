@@ -35,7 +35,7 @@ struct BadCommandLine {
 
 const BadCommandLine bad_command_lines[] = {
     {{"indentaton"}, {"unknown command 'indentaton'", "indentation", "did you mean 'indentation'?"}},
-    {{"xyzzy"}, {"unknown command 'xyzzy'", "allowed: bulge, figure, fit, indentation, model, report"}},
+    {{"xyzzy"}, {"unknown command 'xyzzy'", "allowed: bulge, figure, fit, indentation, model, potential, report"}},
     {{"--radius", "30"}, {"'--radius'", "before the command", "indentation"}},
     {{"indentation", "--radus", "30"}, {"unknown flag '--radus'", "did you mean '--radius'?"}},
     {{"indentation", "--radus=30"}, {"unknown flag '--radus'", "did you mean '--radius'?"}},
@@ -67,6 +67,12 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentation", "--E", "5", "--nu", "0.2", "--thickness", "1"},
      {"--E, --thickness, --nu", "--models membrane"}},
     {{"indentation", "--nu", "1"}, {"--nu: 1 ", "> -1 and < 1"}},
+    {{"indentation", "--vacancies", "1,2,3"}, {"--vacancies", "3 numbers", "pairs"}},
+    {{"indentation", "--stone-wales", "90,90"}, {"--stone-wales", "90, 90 Å", "outside", "110 Å"}},
+    {{"indentation", "--centre", "atm"}, {"--centre", "'atm'", "hexagon, atom", "did you mean 'atom'?"}},
+    {{"indentation", "--rotation-deg", "nan"}, {"--rotation-deg: nan", ">= -360 and <= 360"}},
+    {{"indentation", "--switch-length", "2.5"}, {"--switch-length: 2.5 Å", "<= 1.99 Å"}},
+    {{"indentation", "--switch-length", "1.92", "--potential", "tersoff"}, {"--switch-length", "'tersoff'", "no switch"}},
     {{"indentation", "--ranks", "-1"}, {"--ranks", "-1", "0 to 4096"}},
     {{"indentation", "--resume", "--overwrite"}, {"--resume", "--overwrite"}},
     {{"indentation", "--case", "nope.toml"}, {"--case", "there is no file 'nope.toml'"}},

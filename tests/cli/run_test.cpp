@@ -7,49 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/cli/run_program.hpp"
-#include "tests/support/json_schema.hpp"
+#include "tests/cli/run_support.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using cli_tests::Outcome;
-using cli_tests::run_validate;
-using cli_tests::RunningValidate;
-using cli_tests::WorkFolder;
+using namespace cli_tests;
 using nlohmann::json;
-using Words = std::vector<std::string>;
-
-/// A small, cheap comparison.
-Words small_run(const Words& more) {
-  Words words = {"indentation", "--radius", "15", "--potential", "tersoff", "--tip-radius", "5",
-                 "--depth-step", "1", "--depth-max", "4"};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
-json document(const fs::path& file) {
-  std::ifstream in(file);
-  return json::parse(in);
-}
-
-void expect_valid(const json& summary) {
-  static const support::JsonSchema schema(support::read_json(SUMMARY_SCHEMA));
-  EXPECT_EQ(schema.problems(summary), Words{});
-}
-
-void expect_says(const Outcome& outcome, int exit_code, const Words& words) {
-  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-  for (const std::string& word : words)
-    EXPECT_NE(outcome.err.find(word), std::string::npos) << "'" << word << "' is not in: " << outcome.err;
-}
-
-const json& run_of(const json& summary, const std::string& model, const std::string& load,
-                   const std::string& constants = {}) {
-  for (const json& run : summary.at("runs"))
-    if (run.at("model") == model && run.at("load") == load && run.value("constants", "") == constants) return run;
-  throw std::runtime_error("no such run: " + model + " " + load);
-}
 
 TEST(MainJob, WritesTheWholeRunFolder) {
   const WorkFolder folder;
@@ -176,13 +140,23 @@ TEST(RunFolder, ThatCannotBeWrittenIsExitCodeSix) {
   expect_says(run_validate(small_run({"--out", "/proc/none/run"}), folder.path()), 6, {"/proc/none"});
 }
 
+TEST(Failure, APairStyleThatLammpsLacksIsBadInput) {
+  const WorkFolder folder, work;
+  folder.write("bad.toml",
+               "pair_style = \"tersof\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
+  const std::string path = (folder.path() / "bad.toml").string();
+  expect_says(run_validate({"indentation", "--radius", "15", "--potential", path, "--tip-radius", "5", "--out", "run"}, work.path()),
+              2, {"pair_style", "'tersof'", "tersoff/mod"});
+  EXPECT_TRUE(fs::is_empty(work.path()));
+}
+
 TEST(Failure, LammpsErrorsAreQuotedWithTheLog) {
   const WorkFolder folder;
   folder.write("bad.toml",
-               "pair_style = \"tersoff/none\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
+               "pair_style = \"tersoff 7\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
   const Outcome outcome = run_validate(
       {"indentation", "--radius", "15", "--potential", "bad.toml", "--tip-radius", "5", "--depth-step", "1", "--out", "run"}, folder.path());
-  expect_says(outcome, 5, {"potential card", "ERROR", "tersoff/none", "pair_style", "log.lammps"});
+  expect_says(outcome, 5, {"potential card", "ERROR", "tersoff 7", "pair_style", "log.lammps"});
   expect_valid(document(folder.path() / "run" / "summary.json"));  // what there is, is written
   EXPECT_TRUE(document(folder.path() / "run" / "summary.json")["card"].is_null());
 }
@@ -201,27 +175,6 @@ TEST(Failure, WithoutMpiexecOneRankWorksAndMoreAreRefused) {
   EXPECT_NE(one.err.find("mpiexec"), std::string::npos) << "a warning";
   expect_says(run_validate(small_run({"--ranks", "2", "--out", "b"}), folder.path(), {"PATH=/nowhere"}), 5,
               {"mpiexec", "--launcher"});
-}
-
-/// Every process whose command line names this folder.
-std::vector<std::string> processes_of(const fs::path& folder) {
-  std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator("/proc")) {
-    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
-    const std::string line{std::istreambuf_iterator<char>(in), {}};
-    if (line.find(folder.string()) != std::string::npos) found.push_back(line);
-  }
-  return found;
-}
-
-bool none_left(const fs::path& folder) {
-  for (int i = 0; i < 100 && !processes_of(folder).empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  return processes_of(folder).empty();
-}
-
-bool appears(const fs::path& file) {
-  for (int i = 0; i < 600 && !fs::exists(file); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  return fs::exists(file);
 }
 
 class StoppedBy : public testing::TestWithParam<int> {};
@@ -317,20 +270,17 @@ TEST(Failure, TwoRunsCannotShareAFolder) {
   first.wait();
 }
 
-TEST(Launcher, MayStartAnyNumberOfRanks) {
-  const WorkFolder folder;
-  const Words words = small_run({"--loads", "disc", "--launcher", "mpiexec -n 2", "--out", "run"});
-  const Outcome outcome = run_validate(words, folder.path());
-  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
-  EXPECT_GE(run_of(document(folder.path() / "run/summary.json"), "atomistic", "disc")["force_eV_per_A"].size(), 4u);
-}
+/// 1, 2 and 3 ranks: to 1e-4 at the default tolerance, to 1e-6 when converged to 1e-8 eV/Å.
+class Ranks : public testing::TestWithParam<std::pair<const char*, double>> {};
 
-TEST(Ranks, GiveTheSameForces) {
+TEST_P(Ranks, GiveTheSameForces) {
+  const auto [tolerance, same] = GetParam();
   const WorkFolder folder;
   json runs[3];
   for (int ranks : {1, 2, 3}) {
-    const std::string out = std::to_string(ranks) + "-ranks";
-    run_validate(small_run({"--loads", "disc", "--models", "atomistic", "--ranks", std::to_string(ranks), "--out", out}),
+    const std::string out = "r" + std::to_string(ranks);
+    run_validate(small_run({"--loads", "disc", "--models", "atomistic", "--ranks", std::to_string(ranks), "--out", out,
+                            "--force-tolerance", tolerance}),
                  folder.path());
     runs[ranks - 1] = run_of(document(folder.path() / out / "summary.json"), "atomistic", "disc")["force_eV_per_A"];
   }
@@ -338,8 +288,10 @@ TEST(Ranks, GiveTheSameForces) {
   for (const json& run : runs)
     for (std::size_t i = 0; i < 4; ++i) {
       const double expected = runs[0][i];
-      EXPECT_NEAR(run[i].get<double>(), expected, 1e-4 * expected);
+      EXPECT_NEAR(run[i].get<double>(), expected, same * expected);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Tolerance, Ranks, testing::Values(std::pair("1e-5", 1e-4), std::pair("1e-8", 1e-6)));
 
 }  // namespace

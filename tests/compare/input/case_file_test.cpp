@@ -48,6 +48,12 @@ nu = -0.158
 [atomistic]
 force-tolerance = 1e-6
 past-artefact = true
+unloading = true
+switch-length = 1.92
+centre = "atom"
+rotation-deg = 12.5
+vacancies = [3, "0.4 nm"]
+stone-wales = [-5, 6]
 [agreement]
 judged-load = "point"
 window = [0.12, 0.14]
@@ -69,6 +75,12 @@ tolerance = 0.1
   EXPECT_EQ(c.nu.value(), -0.158);
   EXPECT_EQ(c.force_tolerance_eV_per_A, 1e-6);
   EXPECT_TRUE(c.past_artefact);
+  EXPECT_TRUE(c.unloading);
+  EXPECT_EQ(c.switch_length_A.value(), 1.92);
+  EXPECT_EQ(c.centre, "atom");
+  EXPECT_EQ(c.rotation_deg, 12.5);
+  EXPECT_EQ(c.vacancies_A, (std::vector<double>{3, 4}));
+  EXPECT_EQ(c.stone_wales_A, (std::vector<double>{-5, 6}));
   EXPECT_EQ(c.judged_load, "point");
   EXPECT_EQ(c.window, (std::vector<double>{0.12, 0.14}));
   EXPECT_EQ(c.tolerance, 0.1);

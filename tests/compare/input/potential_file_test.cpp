@@ -88,6 +88,55 @@ TEST_F(PotentialFileTest, WithoutParameterFile) {
   EXPECT_TRUE(kim.sha256.empty());
 }
 
+TEST_F(PotentialFileTest, OpenKimModelsAreLookedFor) {
+  folder_.write("portable/Mine__MO_000000000000_000/libkim-api-portable-model.so", "library");
+  folder_.write("simulator/Sim__SM_000000000000_000/libkim-api-simulator-model.so", "library");
+  const Environment portable("KIM_API_PORTABLE_MODELS_DIR", (folder_.path() / "portable").string());
+  const Environment simulator("KIM_API_SIMULATOR_MODELS_DIR", (folder_.path() / "simulator").string());
+  const std::string start = "interaction_range = 8\n[kim]\nmodel = ";
+  const PotentialFile pair = read_text(start + "\"Mine__MO_000000000000_000\"\n");
+  EXPECT_EQ(pair.potential.pair_style, "kim Mine__MO_000000000000_000");
+  EXPECT_EQ(pair.potential.pair_coeff, std::vector<std::string>{"* * C"});
+  EXPECT_EQ(pair.sha256, sha256("library"));
+  const PotentialFile whole = read_text(start + "\"Sim__SM_000000000000_000\"\n");
+  EXPECT_EQ(whole.potential.kim_model, "Sim__SM_000000000000_000");
+  EXPECT_TRUE(whole.potential.pair_style.empty());
+  expect_refusal([&] { read_text(start + "\"Mine__MO_000000000000_001\"\n"); },
+                 {"x.toml:3: model", "not installed", "mean 'Mine__MO_000000000000_000'?"});
+  expect_refusal([&] { read_text("pair_style = \"rebo\"\n" + start + "\"Mine__MO_000000000000_000\"\n"); },
+                 {"x.toml", "[kim] model takes the place of pair_style"});
+  expect_refusal([&] { read_text("[kim]\nmodel = \"Mine__MO_000000000000_000\"\n"); }, {"'interaction_range' is missing"});
+}
+
+TEST_F(PotentialFileTest, NamesMayHaveAFolder) {
+  folder_.write("potentials/kim/mine.toml", description);
+  folder_.write("potentials/kim/my.tersoff", parameters);
+  EXPECT_EQ(read("kim/mine").potential.name, "mine");
+}
+
+/// AIREBO's and REBO's files look alike; LAMMPS takes either and computes nonsense.
+TEST_F(PotentialFileTest, RebosFileIsNotAirebos) {
+  const auto text = [](const char* style) {
+    return fmt::format("pair_style = \"{}\"\npair_coeff = [\"* * {{file}} C\"]\nfile = \"my.CH\"\ninteraction_range = 5\n", style);
+  };
+  folder_.write("my.CH", "# AIREBO Brenner/Stuart potential\n1.7 rcmin_CC\n");
+  expect_refusal([&] { read_text(text("rebo")); }, {"x.toml:3: file", "my.CH", "of AIREBO, not of 'rebo'"});
+  EXPECT_NO_THROW(read_text(text("airebo 3.0 1 1")));
+  folder_.write("my.CH", "# REBO2 Brenner potential modified from CH.airebo\n1.7 rcmin_CC\n");
+  expect_refusal([&] { read_text(text("airebo 3.0 1 1")); }, {"my.CH", "of REBO, not of 'airebo'"});
+  EXPECT_NO_THROW(read_text(text("rebo")));
+}
+
+TEST_F(PotentialFileTest, OtherParametersThanDescribedAreAWarning) {
+  const std::string text = description + std::string("parameters_sha256 = \"") + sha256(" C C C 3.0 1.0 ") + "\"\n";
+  folder_.write("my.tersoff", parameters);
+  EXPECT_TRUE(read_text(text).warnings.empty()) << "comments and blanks do not count";
+  folder_.write("my.tersoff", "C C C 3.0 1.1\n");
+  const PotentialFile edited = read_text(text);
+  ASSERT_EQ(edited.warnings.size(), 1u);
+  EXPECT_NE(edited.warnings[0].find("my.tersoff"), std::string::npos);
+}
+
 TEST_F(PotentialFileTest, UnknownName) {
   folder_.write("potentials/rebo.toml", description);
   folder_.write("potentials/airebo.toml", description);
@@ -140,7 +189,7 @@ TEST_F(PotentialFileTest, BadKeys) {
   expect_refusal([&] { read_text(text + "pair_styl = 3\n"); },
                  {"x.toml:10", "'pair_styl'", "mean 'pair_style'?"});
   expect_refusal([&] { read_text(text + "mass = -1\n"); }, {"x.toml:10: mass", "> 0"});
-  expect_refusal([&] { read_text(text + "[table]\n"); }, {"x.toml:10", "unknown table [table]", "none"});
+  expect_refusal([&] { read_text(text + "[table]\n"); }, {"x.toml:10", "unknown table [table]", "[kim]"});
   expect_refusal([&] { read_text(without("pair_coeff") + "pair_coeff = [\"* * C\"]\n"); },
                  {"x.toml", "{file}", "my.tersoff"});
   expect_refusal([&] { read_text("pair_style = "); }, {"x.toml:1:", "not valid TOML"});

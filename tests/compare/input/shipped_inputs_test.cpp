@@ -54,6 +54,7 @@ TEST(ShippedInputs, EveryPotentialIsCompleteAndFindsItsParameters) {
     EXPECT_NE(file.potential.citation.find("doi:10."), std::string::npos) << file.potential.citation;
     EXPECT_EQ(file.sha256.size(), 64u);
     EXPECT_TRUE(fs::path(file.potential.file).is_absolute());
+    EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
   }
 }
 

@@ -1,0 +1,34 @@
+// All that `validate potential` tells of a potential: computed by validate-atoms, kept by hash.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "atomistic/problem.hpp"
+#include "atomistic/response.hpp"
+#include "compare/atoms.hpp"
+#include "compare/potential_file.hpp"
+
+namespace compare {
+
+struct PotentialCard {
+  PotentialFile potential;
+  atomistic::Card card;
+  atomistic::Response response;
+  std::string lammps;       ///< release that computed it
+  bool from_cache = false;
+};
+
+/// What the numbers depend on, as one SHA-256: the potential's description and parameters, this program's version.
+std::string card_key(const PotentialFile& potential);
+
+/// $XDG_CACHE_HOME/validate/cards, else ~/.cache/validate/cards.
+std::filesystem::path card_cache();
+
+/// From the cache unless `refresh`; computed otherwise, in a temporary folder that stays where the atomistic program
+/// fails. A cache that cannot be read or written is no error. Throws Error: bad input for a pair style that LAMMPS
+/// lacks; atomistic failed.
+PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& launch, const std::filesystem::path& cache,
+                             bool refresh);
+
+}  // namespace compare
