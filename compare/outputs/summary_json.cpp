@@ -120,6 +120,7 @@ nlohmann::ordered_json summary_document(const Result& result) {
   for (const Comparison& comparison : result.comparisons) {
     document["comparison"].push_back(object_of(comparison));
     describe_points(comparison, AddTo(document["comparison"].back()));
+  }
   if (!result.unloading.empty()) {
     document["unloading"] = Json::array();
     for (const Unloading& back : result.unloading) document["unloading"].push_back(object_of(back));
