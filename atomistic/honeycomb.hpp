@@ -8,7 +8,8 @@
 
 namespace atomistic {
 
-/// One atom: its place in the plane, its cell and sublattice (which order the atoms), its bonded atoms (−1: none).
+/// One atom: its place in the plane, its cell and sublattice (which order the atoms), its bonded atoms (−1:
+/// none).
 struct Site {
   Eigen::Vector2d place;
   std::array<int, 3> cell;  ///< i, j, sublattice
@@ -19,8 +20,8 @@ struct Site {
 
 using Honeycomb = std::vector<Site>;
 
-/// All sites within `reach` of the axis for which `inside(place)` holds, zigzag along x, turned by rotation_deg. The
-/// axis goes through the centre of a hexagon, or through an atom. Places in Å.
+/// All sites within `reach` of the axis for which `inside(place)` holds, zigzag along x, turned by
+/// rotation_deg. The axis goes through the centre of a hexagon, or through an atom. Places in Å.
 Honeycomb honeycomb(double lattice_constant_A, double reach_A, bool atom_at_axis, double rotation_deg,
                     const std::function<bool(const Eigen::Vector2d&)>& inside);
 
@@ -30,9 +31,9 @@ void remove_sites(Honeycomb& sites, const std::vector<bool>& gone);
 /// Removes the atom nearest to the place.
 void make_vacancy(Honeycomb& sites, const Eigen::Vector2d& place);
 
-/// Turns the bond nearest to the place by 90° (Stone and Wales, Chem. Phys. Lett. 128 (1986) 501): its two atoms
-/// exchange a neighbour each, four hexagons become two pentagons and two heptagons. Throws std::invalid_argument where
-/// the bond's atoms do not have three neighbours each.
+/// Turns the bond nearest to the place by 90° (Stone and Wales, Chem. Phys. Lett. 128 (1986) 501): its two
+/// atoms exchange a neighbour each, four hexagons become two pentagons and two heptagons. Throws
+/// std::invalid_argument where the bond's atoms do not have three neighbours each.
 void make_stone_wales(Honeycomb& sites, const Eigen::Vector2d& place);
 
 }  // namespace atomistic

@@ -14,7 +14,8 @@ class ProjectedPreconditioner {
  public:
   explicit ProjectedPreconditioner(const Minimisation& problem) : problem_(problem) {
     if (problem_.constraint.size() == 0) return;
-    direction_ = problem_.precondition(problem_.constraint);
+    direction_ = problem_.constraint_response.size() ? problem_.constraint_response
+                                                     : problem_.precondition(problem_.constraint);
     stiffness_ = problem_.constraint.dot(direction_);
   }
 

@@ -19,6 +19,7 @@ struct Minimisation {
   std::function<Evaluation(const Eigen::VectorXd&)> evaluate;
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> precondition;  ///< P⁻¹ r
   Eigen::VectorXd constraint;                                           ///< c; empty: none
+  Eigen::VectorXd constraint_response;  ///< P⁻¹c where it is known; empty: to be solved
 };
 
 struct MinimiserOptions {

@@ -68,25 +68,30 @@ Report Path::follow(const std::vector<Step>& finished) {
   return report_;
 }
 
-/// The equilibrium in the plane around defects and along sliding edges. z stays 0, where it is in balance by symmetry.
+/// The equilibrium in the plane around defects and along sliding edges. z stays 0, where it is in balance by
+/// symmetry.
 void Path::relax_flat_sheet() {
   preconditioner_.factorise(positions_, nullptr);
   const auto flat = [](VectorXd v) {
     for (Eigen::Index z = 2; z < v.size(); z += 3) v[z] = 0;
     return v;
   };
-  const Minimisation problem{.evaluate =
-                                 [&](const VectorXd& x) {
-                                   positions_.head(free_dofs()) = x;
-                                   const double energy =
-                                       force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
-                                   return Evaluation{energy, flat(-atom_forces_.head(free_dofs()))};
-                                 },
-                             .precondition = [&](const VectorXd& r) { return flat(preconditioner_.solve(r)); },
-                             .constraint = {}};
+  const Minimisation problem{
+      .evaluate =
+          [&](const VectorXd& x) {
+            positions_.head(free_dofs()) = x;
+            const double energy =
+                force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
+            return Evaluation{energy, flat(-atom_forces_.head(free_dofs()))};
+          },
+      .precondition = [&](const VectorXd& r) { return flat(preconditioner_.solve(r)); },
+      .constraint = {},
+      .constraint_response = {}};
   VectorXd x = free_positions();
   const MinimiserReport result = minimise(
-      problem, {.force_tolerance = tolerance() / 10, .longest_step = 0.1, .max_evaluations = problem_.max_evaluations}, x);
+      problem,
+      {.force_tolerance = tolerance() / 10, .longest_step = 0.1, .max_evaluations = problem_.max_evaluations},
+      x);
   report_.relaxation_evaluations = result.evaluations;
   if (!result.converged) {
     report_.ended = Ended::not_converged;
@@ -101,7 +106,8 @@ std::optional<Path::Target> Path::next_target() {
   if (!unloading_from_) {
     if (goes_on && loaded_levels_ < static_cast<int>(problem_.levels.size()))
       return Target{problem_.levels[loaded_levels_], false};
-    if (!problem_.unload || loaded_levels_ < 2 || !(goes_on || report_.ended == Ended::artefact)) return std::nullopt;
+    if (!problem_.unload || loaded_levels_ < 2 || !(goes_on || report_.ended == Ended::artefact))
+      return std::nullopt;
     unloading_from_ = loaded_levels_ - 1;
   }
   if (*unloading_from_ == 0 || report_.ended == Ended::not_converged) return std::nullopt;
@@ -124,7 +130,8 @@ void Path::take_over(const std::vector<Step>& finished) {
 void Path::remember(const Step& step) {
   const double t = load_->parameter(step.target);
   if (step.converged) {
-    std::erase_if(states_, [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
+    std::erase_if(states_,
+                  [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
     states_.push_back({t, (step.positions - reference_).head(free_dofs())});
   }
   if (step.converged) curve_.emplace_back(step.depth_A, step.force_eV_per_A);
@@ -133,7 +140,8 @@ void Path::remember(const Step& step) {
     first_evaluations_ = step.evaluations;
     factor_parameter_ = t;
   }
-  factor_is_tired_ = step.factorisations > 1 || step.evaluations > first_evaluations_ + tolerated_extra_evaluations;
+  factor_is_tired_ =
+      step.factorisations > 1 || step.evaluations > first_evaluations_ + tolerated_extra_evaluations;
   if (step.unloading)
     unloading_from_ = unloading_from_.value_or(loaded_levels_ - 1) - 1;
   else
@@ -155,7 +163,8 @@ void Path::predict(double level) {
   load_->admit(x);
   positions_.head(free_dofs()) = x;
   const double ratio = t / factor_parameter_;
-  if (factor_is_tired_ || ratio > depth_ratio_per_factor || ratio * depth_ratio_per_factor < 1) factorise(positions_);
+  if (factor_is_tired_ || ratio > depth_ratio_per_factor || ratio * depth_ratio_per_factor < 1)
+    factorise(positions_);
   meet_constraint(level);
 }
 
@@ -163,7 +172,7 @@ void Path::predict(double level) {
 void Path::meet_constraint(double level) {
   const VectorXd c = load_->constraint();
   if (c.size() == 0) return;
-  const VectorXd response = preconditioner_.solve(c);
+  const VectorXd& response = preconditioner_.constraint_response(c);
   const double missing = level - load_->conjugate_depth(free_positions());
   positions_.head(free_dofs()) -= response * (missing / c.dot(response));
 }
@@ -186,7 +195,8 @@ Minimisation Path::minimisation() {
                 return e;
               },
           .precondition = [this](const VectorXd& r) { return preconditioner_.solve(r); },
-          .constraint = load_->constraint()};
+          .constraint = load_->constraint(),
+          .constraint_response = {}};
 }
 
 bool Path::torn() const {
@@ -196,11 +206,12 @@ bool Path::torn() const {
 
 /// Minimises; a level that drags on gets fresh factors at its current positions.
 MinimiserReport Path::minimise_level(int number) {
-  const Minimisation problem = minimisation();
+  Minimisation problem = minimisation();
   MinimiserOptions options{.force_tolerance = tolerance()};
   MinimiserReport result;
   int evaluations = 0;
   for (;;) {
+    problem.constraint_response = preconditioner_.constraint_response(problem.constraint);
     options.max_evaluations = std::min(evaluations_per_factor, problem_.max_evaluations - evaluations);
     VectorXd x = free_positions();
     result = minimise(problem, options, x, [&](int done, double max_force) {
@@ -237,7 +248,8 @@ Step Path::run_level(int number, const Target& target) {
   step.energy_eV = result.last.energy - load_->dead_work(x) - flat_energy_;
   step.max_force_eV_per_A = result.max_force;
   step.balance_relative = balance(result.multiplier);
-  step.force_error_relative = std::abs(result.energy_residual / (step.force_eV_per_A * step.conjugate_depth_A));
+  step.force_error_relative =
+      std::abs(result.energy_residual / (step.force_eV_per_A * step.conjugate_depth_A));
   step.longest_bond_A = longest_bond(sheet_, positions_);
   step.evaluations = result.evaluations;
   step.factorisations = factorisations_;
@@ -245,8 +257,8 @@ Step Path::run_level(int number, const Target& target) {
   return step;
 }
 
-/// All forces among the atoms cancel, so what holds the sheet's edge carries minus the sum over all others; it must be
-/// what the load puts on them.
+/// All forces among the atoms cancel, so what holds the sheet's edge carries minus the sum over all others;
+/// it must be what the load puts on them.
 double Path::balance(double multiplier) {
   VectorXd load = VectorXd::Zero(free_dofs());
   load_->add(free_positions(), load);
@@ -294,9 +306,11 @@ std::optional<ContactCheck> Path::check_contact() {
   check.force_change_relative = sphere->force(free_positions(), 0) / force - 1;
   check.depth_change_A = mean_depth(sheet_.record, free_positions()) - mean_depth(sheet_.record, before);
   const auto [depth, ignored] = curve_.back();
-  const auto [earlier_depth, earlier_force] = curve_.size() > 1 ? curve_[curve_.size() - 2] : std::pair(depth / 2, force / 8);
+  const auto [earlier_depth, earlier_force] =
+      curve_.size() > 1 ? curve_[curve_.size() - 2] : std::pair(depth / 2, force / 8);
   const double exponent = std::log(force / earlier_force) / std::log(depth / earlier_depth);
-  check.force_change_at_equal_depth_relative = check.force_change_relative - exponent * check.depth_change_A / depth;
+  check.force_change_at_equal_depth_relative =
+      check.force_change_relative - exponent * check.depth_change_A / depth;
   return check;
 }
 

@@ -9,13 +9,13 @@
 #include "atomistic/indentation.hpp"
 #include "atomistic/loads/load_term.hpp"
 #include "atomistic/minimiser.hpp"
-#include "atomistic/predictor.hpp"
 #include "atomistic/preconditioner.hpp"
+#include "atomistic/predictor.hpp"
 
 namespace atomistic {
 
-/// A search that has pulled two neighbours this far apart, or an atom this many radii down, will not bring them back: no
-/// first guess starts there, and what follows is the flight of fragments out of the box.
+/// A search that has pulled two neighbours this far apart, or an atom this many radii down, will not bring
+/// them back: no first guess starts there, and what follows is the flight of fragments out of the box.
 constexpr double torn_bond_A = 5.0, torn_depth_of_radius = 2.0;
 
 class Path {
@@ -62,7 +62,7 @@ class Path {
   std::vector<PathState> states_;
   std::vector<std::pair<double, double>> curve_;  ///< (depth, force) of the same states
   double flat_energy_ = 0;
-  int loaded_levels_ = 0;             ///< reached while loading
+  int loaded_levels_ = 0;              ///< reached while loading
   std::optional<int> unloading_from_;  ///< level index that unloading goes to next, plus one
   int factorisations_ = 0, first_evaluations_ = 0;
   double factor_parameter_ = 0;  ///< path parameter that the factor was made for

@@ -28,6 +28,7 @@ void Preconditioner::factorise(const Eigen::VectorXd& positions, LoadTerm* load)
     const Timed timed(factor_s_);
     network_.factorise(positions, load ? load->stiffness(x) : std::vector<AtomStiffness>());
   }
+  constraint_response_.resize(0);
   response_ = load ? load->given_back(x) : Eigen::VectorXd();
   if (response_.size() == 0) return;
   const Eigen::VectorXd k = response_;
@@ -38,6 +39,11 @@ void Preconditioner::factorise(const Eigen::VectorXd& positions, LoadTerm* load)
 Eigen::VectorXd Preconditioner::network_solve(const Eigen::VectorXd& r) const {
   const Timed timed(solve_s_);
   return network_.solve(r);
+}
+
+const Eigen::VectorXd& Preconditioner::constraint_response(const Eigen::VectorXd& c) {
+  if (c.size() && constraint_response_.size() == 0) constraint_response_ = solve(c);
+  return constraint_response_;
 }
 
 Eigen::VectorXd Preconditioner::solve(const Eigen::VectorXd& r) const {

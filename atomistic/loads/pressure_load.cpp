@@ -68,9 +68,11 @@ double PressureTerm::add(const VectorXd& x, VectorXd& gradient) {
 
 double PressureTerm::parameter(double pressure) const { return std::cbrt(pressure); }
 
-/// Hencky's clamped membrane, w0 = 0.66 R (pR/E·h)^{1/3}, with a parabola for its shape (a square's: the product of two).
+/// Hencky's clamped membrane, w0 = 0.66 R (pR/E·h)^{1/3}, with a parabola for its shape (a square's: the
+/// product of two).
 VectorXd PressureTerm::first_guess() const {
-  const double r = sheet_.radius_A, depth = 0.66 * r * std::cbrt(pressure_ * r / problem_.card.sheet_modulus_eV_per_A2());
+  const double r = sheet_.radius_A,
+               depth = 0.66 * r * std::cbrt(pressure_ * r / problem_.card.sheet_modulus_eV_per_A2());
   VectorXd u = VectorXd::Zero(3 * sheet_.free_atoms);
   for (int i = 0; i < sheet_.free_atoms; ++i) {
     const Eigen::Vector2d s = (sheet_.position(i).head<2>() / r).array().square();

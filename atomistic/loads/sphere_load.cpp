@@ -12,7 +12,8 @@ using Eigen::VectorXd;
 SphereTerm::SphereTerm(const SphereLoad& sphere, const Problem& problem, const Sheet& sheet)
     : sphere_(sphere), problem_(problem), sheet_(sheet) {
   if (!(sphere.radius_A > 0 && sphere.radius_A < sheet.radius_A && sphere.stiffness_eV_per_A3 > 0))
-    throw std::invalid_argument("sphere: its radius must be positive and below the sheet's, its stiffness positive");
+    throw std::invalid_argument(
+        "sphere: its radius must be positive and below the sheet's, its stiffness positive");
   // Atoms come nearer to the axis as the sheet stretches: a wide margin costs nothing.
   for (int atom : atoms_within(sheet, 1.2 * sphere.radius_A + 5))
     if (atom < sheet.free_atoms) candidates_.push_back(atom);
@@ -35,7 +36,8 @@ SphereTerm::Contact SphereTerm::contact_at(const VectorXd& x, double travel) con
   visit_contacts(x, travel, [&](int, double inside, const Vector3d& n) {
     sum.energy += k * inside * inside * inside / 3;
     sum.force -= k * inside * inside * n.z();
-    sum.stiffness += 2 * k * inside * n.z() * n.z() - k * inside * inside * (1 - n.z() * n.z()) / (sphere_.radius_A - inside);
+    sum.stiffness += 2 * k * inside * n.z() * n.z() -
+                     k * inside * inside * (1 - n.z() * n.z()) / (sphere_.radius_A - inside);
     sum.deepest = std::max(sum.deepest, inside);
   });
   return sum;
@@ -78,8 +80,8 @@ VectorXd SphereTerm::first_guess() const {
   return schwerin_shape(sheet_, held_force() ? rough_depth(problem_, level_) : level_);
 }
 
-/// An atom far inside the sphere would be thrown out with a force like its penetration squared: no prediction starts
-/// with more than what carries a sixth of the force, at most 0.1 eV/Å.
+/// An atom far inside the sphere would be thrown out with a force like its penetration squared: no prediction
+/// starts with more than what carries a sixth of the force, at most 0.1 eV/Å.
 void SphereTerm::admit(VectorXd& x) {
   const double force = held_force() ? level_ : rough_force(problem_, level_);
   const double allowed = std::sqrt(std::min(0.1, force / 6) / sphere_.stiffness_eV_per_A3);

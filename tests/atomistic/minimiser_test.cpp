@@ -68,6 +68,19 @@ TEST(Minimiser, KeepsTheConstraintAndFindsItsMultiplier) {
   EXPECT_LT((well(x).gradient - report.multiplier * problem.constraint).norm(), 1e-9);
 }
 
+TEST(Minimiser, TakesAKnownResponseOfTheConstraint) {
+  std::srand(2);
+  const QuarticWell well(12);
+  Minimisation solved = preconditioned(well);
+  solved.constraint = VectorXd::Unit(12, 3);
+  Minimisation known = solved;
+  known.constraint_response = well.h.llt().solve(solved.constraint);
+  VectorXd x = VectorXd::Zero(12), y = x;
+  const MinimiserReport a = minimise(solved, {.force_tolerance = 1e-10}, x), b = minimise(known, {.force_tolerance = 1e-10}, y);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+  EXPECT_TRUE(x.isApprox(y, 1e-12));
+}
+
 TEST(Minimiser, IgnoresRoundingInTheEnergy) {
   std::srand(3);
   const QuarticWell well(30);
