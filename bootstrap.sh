@@ -12,6 +12,7 @@ g++
 gnuplot-nox
 lammps
 lammps-data
+libbenchmark-dev
 libblas-dev
 libcli11-dev
 libeigen3-dev
@@ -32,6 +33,7 @@ nlohmann-json3-dev
 openmpi-bin
 pkg-config
 python3-h5py
+python3-meshio
 '
 
 usage() {

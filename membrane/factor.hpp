@@ -29,10 +29,13 @@ class Factor {
   bool ready() const { return ready_; }
   int count() const { return count_; }  ///< factorisations so far
 
+  /// Newton steps with an old factor (a solution and a pass over the sheet each) that cost about as much as a new one.
+  int steps_worth() const;
+
  private:
   bool attempt(const Matrix& lower, double shift);
 
-  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> cholesky_;
+  mutable Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> cholesky_;  // Eigen hands out its state only if not const
   bool analysed_ = false;
   bool ready_ = false;
   int count_ = 0;

@@ -9,7 +9,6 @@ namespace membrane {
 namespace {
 
 constexpr double rounding = 3e-14;  // of the triangles' forces on the nodes: no residual gets below it
-constexpr int chord_steps = 3;          // a factor is kept if that many more steps will do with it
 constexpr double armijo = 1e-4;         // share of the promised decrease that a step must deliver
 constexpr double energy_noise = 1e-12;  // relative; below it energies do not tell better from worse
 constexpr double shortest_step = 1e-8;
@@ -18,9 +17,9 @@ constexpr double least_damping = 1e-7;  // of the largest diagonal entry of the 
 /// A sheet that is slack at the given depth carries no load and has no residual.
 double relative(double residual, double load) { return residual == 0 ? 0 : residual / load; }
 
-/// Whether the rate of the last step, kept up, ends the search soon: a new factor costs some three steps.
-bool keeps_pace(double residual, double before, double tolerance) {
-  return residual * std::pow(residual / before, chord_steps) <= tolerance;
+/// Whether the rate of the last step, kept up, ends the search within that many steps.
+bool keeps_pace(double residual, double before, double tolerance, int steps) {
+  return residual * std::pow(residual / before, steps) <= tolerance;
 }
 
 }  // namespace
@@ -135,7 +134,7 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor 
     }
     measure(target, at);
     if (at.converged || at.iterations == options_.most_iterations) break;
-    if (!fresh && !(options_.keep_factor && keeps_pace(at.relative_residual, before, options_.relative_residual))) {
+    if (!fresh && !(options_.keep_factor && keeps_pace(at.relative_residual, before, options_.relative_residual, factor_.steps_worth()))) {
       wants_factor = true;
       continue;
     }
