@@ -45,7 +45,7 @@ Square solve_square() {
   Square square;
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
     if (!step.converged) return false;
-    square.field = stress_field(problem, mesh, law, thickness_A, step.displacements);
+    square.field = stress_field(problem, mesh, thickness_A, step.displacements);
     square.centre_depth_A = step.depth_A;
     square.pull_in_A = pull_in(mesh, step.displacements);
     return true;

@@ -17,10 +17,8 @@ struct TriangleStress {
       Eigen::Vector2d::Zero();  ///< of the larger one, in the reference: the rays of wrinkles
 };
 
-/// Of each triangle of the problem's mesh, in its order. Stresses are those at the natural width where the
-/// sheet is wrinkled (membrane/laws/cauchy.hpp).
+/// Of each triangle of the problem's mesh, in its order: membrane::fields_of as stresses over the thickness.
 std::vector<TriangleStress> stress_field(const membrane::Problem& problem, const membrane::Mesh& mesh,
-                                         const membrane::StVenantKirchhoff& law, double thickness_A,
-                                         const Eigen::VectorXd& displacements_A);
+                                         double thickness_A, const Eigen::VectorXd& displacements_A);
 
 }  // namespace compare

@@ -31,7 +31,7 @@ Eigen::VectorXd displaced(const membrane::Mesh& mesh, const Eigen::Matrix<double
 std::vector<TriangleStress> field(const Eigen::Matrix<double, 3, 2>& G) {
   const membrane::Problem problem = disc();
   const membrane::Mesh mesh = membrane::mesh_of(problem);
-  return stress_field(problem, mesh, law, thickness_A, displaced(mesh, G));
+  return stress_field(problem, mesh, thickness_A, displaced(mesh, G));
 }
 
 TEST(StressField, EqualBiaxialStretch) {
