@@ -44,10 +44,20 @@ std::string styles_like(void* lammps, const std::string& style) {
   const int count = lammps_style_count(lammps, "pair");
   for (int i = 0; i < count; ++i) {
     char name[128] = {};
-    if (lammps_style_name(lammps, "pair", i, name, sizeof name) && std::string(name).substr(0, 3) == style.substr(0, 3))
+    if (lammps_style_name(lammps, "pair", i, name, sizeof name) &&
+        std::string(name).substr(0, 3) == style.substr(0, 3))
       alike += (alike.empty() ? "" : ", ") + std::string(name);
   }
   return alike.empty() ? "" : "; those that begin alike: " + alike;
+}
+
+/// A flat sheet in a box as high as it is wide leaves most neighbour bins empty, and LAMMPS refuses to make
+/// more than 2³¹ of its own size: for large sheets no more than some 16 an atom.
+std::string wider_bins(const Box& box, const Eigen::VectorXd& positions) {
+  constexpr double bins_per_atom = 16, own_size_A = 5;
+  const double atoms = static_cast<double>(positions.size()) / 3;
+  const double size = std::cbrt((box.high - box.low).prod() / (bins_per_atom * atoms));
+  return !box.periodic && size > own_size_A ? fmt::format(" binsize {:.3g}", size) : "";
 }
 
 /// Before LAMMPS is told, so that it does not end the process over it.
@@ -129,7 +139,8 @@ struct ForceField::Instance {
     if (!potential.kim_model.empty()) return command("kim interactions C");
     require_style(lammps, potential.pair_style);
     command("pair_style " + potential.pair_style);
-    for (const std::string& line : potential.pair_coeff) command("pair_coeff " + with_file(line, potential.file));
+    for (const std::string& line : potential.pair_coeff)
+      command("pair_coeff " + with_file(line, potential.file));
   }
 
   /// Writes this rank's atoms; the order of LAMMPS's arrays changes when atoms change ranks, so go by id.
@@ -189,7 +200,7 @@ ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::
   in.command(fmt::format("mass 1 {:.17g}", potential.mass));
   in.set_potential(potential);
   in.command("neighbor 0.5 bin");
-  in.command("neigh_modify every 1 delay 0 check yes");
+  in.command("neigh_modify every 1 delay 0 check yes" + wider_bins(box, positions));
   in.command("thermo_style custom step pe pxx pyy pxy");
   in.command("thermo_modify norm no lost error format float %.15g");
   in.create(positions);
@@ -244,6 +255,5 @@ Eigen::Matrix2d ForceField::membrane_force() const {
 }
 
 const ForceTiming& ForceField::timing() const { return instance_->timing; }
-
 
 }  // namespace atomistic

@@ -36,22 +36,28 @@ struct MakeLoad {
     return std::make_unique<PatternLoad>(LoadedAtoms{sheet}(load), problem, sheet);
   }
   Made operator()(const SphereLoad& load) const { return std::make_unique<SphereTerm>(load, problem, sheet); }
-  Made operator()(const PressureLoad& load) const { return std::make_unique<PressureTerm>(load, problem, sheet); }
+  Made operator()(const PressureLoad& load) const {
+    return std::make_unique<PressureTerm>(load, problem, sheet);
+  }
 };
 
 }  // namespace
 
-std::vector<int> loaded_atoms(const Load& load, const Sheet& sheet) { return std::visit(LoadedAtoms{sheet}, load); }
+std::vector<int> loaded_atoms(const Load& load, const Sheet& sheet) {
+  return std::visit(LoadedAtoms{sheet}, load);
+}
 
 std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet) {
   return std::visit(MakeLoad{problem, sheet}, problem.load);
 }
 
-Eigen::VectorXd schwerin_shape(const Sheet& sheet, double depth_A) {
+Eigen::VectorXd schwerin_shape(const Sheet& sheet, double depth_A, double core_radius_A) {
+  const double core = core_radius_A / sheet.radius_A, at_core = std::pow(core, 2.0 / 3.0);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * sheet.free_atoms);
   for (int i = 0; i < sheet.free_atoms; ++i) {
     const double r = std::min(1.0, sheet.position(i).head<2>().norm() / sheet.radius_A);
-    u[3 * i + 2] = -depth_A * (1 - std::pow(r, 2.0 / 3.0));
+    const double risen = r < core ? at_core * (1 + (r * r / (core * core) - 1) / 3) : std::pow(r, 2.0 / 3.0);
+    u[3 * i + 2] = -depth_A * (1 - risen);
   }
   return u;
 }

@@ -1,4 +1,5 @@
-// A load on the path: what it adds to the energy at a level, how it is held there, and the depth conjugate to its force.
+// A load on the path: what it adds to the energy at a level, how it is held there, and the depth conjugate to
+// its force.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,8 +40,8 @@ class LoadTerm {
   /// A parameter that grows like the depth.
   virtual double parameter(double level) const = 0;
 
-  /// Displacements to start the first level from: those of a clamped Föppl–von Kármán membrane without pretension;
-  /// in-plane zero.
+  /// Displacements to start the first level from: those of a clamped Föppl–von Kármán membrane without
+  /// pretension; in-plane zero.
   virtual Eigen::VectorXd first_guess() const = 0;
 
   /// Moves a predicted state to where the load can hold it.
@@ -49,21 +50,25 @@ class LoadTerm {
   /// What the preconditioner should know, at a state.
   virtual std::vector<AtomStiffness> stiffness(const Eigen::VectorXd&) { return {}; }
 
-  /// A direction k whose stiffness the load gives back, P → P − k kᵀ (a tip that is free to follow); empty: none.
+  /// A direction k whose stiffness the load gives back, P → P − k kᵀ (a tip that is free to follow); empty:
+  /// none.
   virtual Eigen::VectorXd given_back(const Eigen::VectorXd&) { return {}; }
 };
 
-/// The load of a problem on its sheet, both of which must outlive it. Throws std::invalid_argument for a load that the
-/// sheet cannot take.
+/// The load of a problem on its sheet, both of which must outlive it. Throws std::invalid_argument for a load
+/// that the sheet cannot take.
 std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet);
 
-/// The atoms that carry a load in the flat sheet: all free ones for a pressure, those below the tip for a sphere.
+/// The atoms that carry a load in the flat sheet: all free ones for a pressure, those below the tip for a
+/// sphere.
 std::vector<int> loaded_atoms(const Load& load, const Sheet& sheet);
 
-/// Schwerin's shape of a membrane under a central force, −depth (1 − (r/R)^{2/3}); in-plane zero.
-Eigen::VectorXd schwerin_shape(const Sheet& sheet, double depth_A);
+/// Schwerin's shape of a membrane under a central force, −depth (1 − (r/R)^{2/3}), its cusp rounded off by a
+/// parabola within core_radius_A; in-plane zero.
+Eigen::VectorXd schwerin_shape(const Sheet& sheet, double depth_A, double core_radius_A = 0);
 
-/// The force that a central depth needs, roughly: F = E·h δ³/R² + 16πκ δ/R² (Eq. 16 with q = 1, and a clamped plate).
+/// The force that a central depth needs, roughly: F = E·h δ³/R² + 16πκ δ/R² (Eq. 16 with q = 1, and a clamped
+/// plate).
 double rough_force(const Problem& problem, double depth_A);
 
 /// Its inverse.

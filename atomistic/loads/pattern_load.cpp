@@ -13,7 +13,10 @@ PatternLoad::PatternLoad(const std::vector<int>& atoms, const Problem& problem, 
   if (atoms.empty() || *std::max_element(atoms.begin(), atoms.end()) >= sheet.free_atoms)
     throw std::invalid_argument("load: it must hold at least one atom and none of the clamped ones");
   direction_.setZero(3 * sheet.free_atoms);
-  for (int atom : atoms) direction_[3 * atom + 2] = 1.0 / static_cast<double>(atoms.size());
+  for (int atom : atoms) {
+    direction_[3 * atom + 2] = 1.0 / static_cast<double>(atoms.size());
+    radius_A_ = std::max(radius_A_, sheet.position(atom).norm());
+  }
 }
 
 double PatternLoad::add(const VectorXd& x, VectorXd& gradient) {
@@ -27,7 +30,7 @@ VectorXd PatternLoad::constraint() const { return dead() ? VectorXd() : directio
 double PatternLoad::parameter(double level) const { return dead() ? std::cbrt(level) : level; }
 
 VectorXd PatternLoad::first_guess() const {
-  return schwerin_shape(sheet_, dead() ? rough_depth(problem_, level_) : level_);
+  return schwerin_shape(sheet_, dead() ? rough_depth(problem_, level_) : level_, radius_A_);
 }
 
 }  // namespace atomistic

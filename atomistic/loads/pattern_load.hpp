@@ -30,6 +30,7 @@ class PatternLoad : public LoadTerm {
   const Problem& problem_;
   const Sheet& sheet_;
   Eigen::VectorXd direction_;
+  double radius_A_ = 0;  ///< of the farthest loaded atom
   double level_ = 0;
 };
 
