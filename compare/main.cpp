@@ -19,8 +19,9 @@
 #include "compare/commands/flags.hpp"
 #include "compare/commands/indentation.hpp"
 #include "compare/commands/model.hpp"
-#include "compare/commands/report.hpp"
 #include "compare/commands/potential.hpp"
+#include "compare/commands/report.hpp"
+#include "compare/commands/verify.hpp"
 #include "compare/errors.hpp"
 #include "compare/nearest.hpp"
 #include "compare/provenance.hpp"
@@ -43,6 +44,7 @@ constexpr std::array commands = {
     Command{"model", compare::add_model},
     Command{"potential", compare::add_potential},
     Command{"report", compare::add_report},
+    Command{"verify", compare::add_verify},
 };
 
 int fail(ExitCode code, std::string_view message) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "membrane/fault.hpp"
 #include "membrane/laws/response.hpp"
 
 namespace membrane {
@@ -33,8 +34,9 @@ struct Deformation {
   /// E = (FᵀF − I)/2, from the displacement gradient: no cancellation at small strain.
   Voigt green_lagrange() const {
     const auto& G = displacement_gradient;
+    const double angle = G(0, 1) + G(1, 0) + G.col(0).dot(G.col(1));
     return {G(0, 0) + 0.5 * G.col(0).squaredNorm(), G(1, 1) + 0.5 * G.col(1).squaredNorm(),
-            G(0, 1) + G(1, 0) + G.col(0).dot(G.col(1))};
+            broken(Fault::half_shear) ? 0.5 * angle : angle};
   }
 };
 
@@ -64,7 +66,7 @@ inline void stiffness(const Triangle& triangle, const Deformation& deformation, 
     for (int a = b; a < 3; ++a) {
       auto block = k.block<3, 3>(3 * a, 3 * b);
       block.noalias() = B.middleCols<3>(3 * a).transpose() * DB.middleCols<3>(3 * b);
-      block.diagonal().array() += triangle.area_A2 * N.col(a).dot(SN);
+      if (!broken(Fault::no_stress_stiffness)) block.diagonal().array() += triangle.area_A2 * N.col(a).dot(SN);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "membrane/fault.hpp"
 #include "membrane/laws/prestress.hpp"
 #include "membrane/refusal.hpp"
 
@@ -60,7 +61,7 @@ struct PatternOf {
 
 bool may_cross_planes(const Problem& problem) {
   const auto* rectangle = std::get_if<RectangleSheet>(&problem.sheet);
-  return rectangle && rectangle->extent == Extent::quarter;
+  return rectangle && rectangle->extent == Extent::quarter && !broken(Fault::open_mirror);
 }
 
 Held all_held(const Mesh& mesh, bool with_indenter) {

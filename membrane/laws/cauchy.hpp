@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "membrane/fault.hpp"
 #include "membrane/laws/tension_field.hpp"
 
 namespace membrane {
@@ -32,8 +33,8 @@ Voigt cauchy_force(const L& law, const Voigt& strain, const Voigt& offset, bool 
   const Eigen::Matrix2d C{{1 + 2 * natural[0], natural[2]}, {natural[2], 1 + 2 * natural[1]}};
   const Eigen::Matrix2d U = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(C).operatorSqrt();
   const Eigen::Matrix2d force{{S[0], S[2]}, {S[2], S[1]}};
-  const Eigen::Matrix2d pushed =
-      U * force * U / (std::sqrt(C.determinant()) * law.thickness_stretch(natural));
+  const double thickness = broken(Fault::constant_thickness) ? 1 : law.thickness_stretch(natural);
+  const Eigen::Matrix2d pushed = U * force * U / (std::sqrt(C.determinant()) * thickness);
   return {pushed(0, 0), pushed(1, 1), pushed(0, 1)};
 }
 

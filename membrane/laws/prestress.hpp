@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "membrane/fault.hpp"
 #include "membrane/laws/response.hpp"
 
 namespace membrane {
@@ -18,6 +19,7 @@ Voigt offset_strain(const L& law, const Voigt& prestress_eV_per_A2) {
   constexpr double last = 1e-8;  // of the prestress: Newton's next step leaves the square of it: rounding
   constexpr double noise = 1e-15;
   Voigt strain = Voigt::Zero();
+  if (broken(Fault::no_prestress)) return strain;
   for (int i = 0; i < most_iterations; ++i) {
     const Response at = law(strain);
     const Voigt missing = prestress_eV_per_A2 - at.force_eV_per_A2;

@@ -4,6 +4,7 @@
 // (1990) 141.
 #pragma once
 
+#include "membrane/fault.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/laws/response.hpp"
 
@@ -16,6 +17,8 @@ enum class SheetState { taut, wrinkled, slack };
 template <MaterialLaw L>
 SheetState sheet_state(const L& law, const Principal& strain) {
   if (!(strain.larger > 0)) return SheetState::slack;
+  if (broken(Fault::wrinkled_as_taut)) return SheetState::taut;
+  if (broken(Fault::no_contraction)) return strain.smaller > 0 ? SheetState::taut : SheetState::wrinkled;
   return strain.smaller > law.natural_width(strain.larger) ? SheetState::taut : SheetState::wrinkled;
 }
 
@@ -27,7 +30,8 @@ Response wrinkled_response(const L& law, const Principal& strain) {
   const UniaxialResponse along = law.uniaxial(strain.larger);
   const Voigt m11 = strain.axial();
   const Voigt m12 = strain.shear();
-  const double turning = along.force_eV_per_A2 / (2 * (strain.larger - strain.smaller));
+  const double turning = (broken(Fault::double_turning) ? 2 : 1) * along.force_eV_per_A2 /
+                         (2 * (strain.larger - strain.smaller));
   Response at;
   at.energy_eV_per_A2 = along.energy_eV_per_A2;
   at.force_eV_per_A2 = along.force_eV_per_A2 * m11;

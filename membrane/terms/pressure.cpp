@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "membrane/fault.hpp"
+
 namespace membrane {
 namespace {
 
@@ -50,7 +52,8 @@ double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradien
   double volume = 0;
   for (const Triangle& triangle : mesh_.triangles) {
     const Eigen::Matrix3d x = positions(mesh_, triangle, u);
-    const Eigen::Vector3d area = 0.5 * (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
+    Eigen::Vector3d area = 0.5 * (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
+    if (broken(Fault::dead_pressure)) area.head<2>().setZero();
     for (int node : triangle.nodes) gradient.segment<3>(3 * node) -= pressure_ / 3 * area;
     volume += x.col(0).dot(area) / 3;
   }
@@ -61,7 +64,7 @@ double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradien
 /// (a, b) is p cross(x_c)/6, with (a, b, c) in turn. Sums over the triangles about a free node are those of the follower
 /// load.
 void Pressure::add_hessian(const Eigen::VectorXd& u, double share, Hessian& hessian) {
-  if (pressure_ == 0 || share == 1) return;
+  if (pressure_ == 0 || share == 1 || broken(Fault::no_pressure_stiffness)) return;
   for (std::size_t t = 0; t < places_.size(); ++t) {
     const Triangle& triangle = mesh_.triangles[t];
     const Eigen::Matrix3d x = positions(mesh_, triangle, u);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/verify/reference_numbers.hpp"
 #include "membrane/fields.hpp"
 #include "membrane/problem.hpp"
-#include "reference/numbers.hpp"
 
 namespace membrane {
 namespace {

@@ -1,4 +1,4 @@
-// Every number of numbers.hpp, computed anew.
+// Every number of compare/verify/reference_numbers.hpp, computed anew.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
+#include "compare/verify/reference_numbers.hpp"
 #include "reference/annulus_torsion.hpp"
 #include "reference/bent_strip.hpp"
 #include "reference/foppl_disc.hpp"
 #include "reference/foppl_point.hpp"
 #include "reference/hencky.hpp"
 #include "reference/mylar_balloon.hpp"
-#include "reference/numbers.hpp"
 #include "reference/plate.hpp"
 #include "reference/sheet_states.hpp"
 #include "reference/svk_disc.hpp"

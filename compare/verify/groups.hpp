@@ -1,0 +1,31 @@
+// What `validate verify membrane` verifies, group by group. A new group is a function here and a line in
+// groups.cpp.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "compare/verify/ledger.hpp"
+
+namespace compare::verify {
+
+void verify_laws(Ledger& ledger);
+void verify_patch(Ledger& ledger);
+void verify_point(Ledger& ledger);
+void verify_disc(Ledger& ledger);
+void verify_sphere(Ledger& ledger);
+void verify_pressure(Ledger& ledger);
+void verify_wrinkling(Ledger& ledger);
+void verify_figure4(Ledger& ledger);
+
+struct Group {
+  std::string_view name, what;
+  void (*run)(Ledger&);
+};
+
+std::span<const Group> groups();
+
+/// The rows of a group. A case that does not converge ends its group with a failing row that says why.
+std::vector<Row> run(const Group& group, const OnRow& on_row);
+
+}  // namespace compare::verify

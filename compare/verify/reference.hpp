@@ -1,0 +1,31 @@
+// Where reference values come from. None of them was computed by the code under verification.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "compare/verify/reference_numbers.hpp"
+#include "compare/verify/row.hpp"
+
+namespace compare::verify {
+
+/// A formula evaluated here; the text is the formula, with its source.
+inline Reference closed_form(double value, std::string_view formula) {
+  return {value, "closed form: " + std::string(formula)};
+}
+
+/// Computed with a code written separately, which is not part of this project's tests.
+inline Reference separate_code(double value, std::string_view what) {
+  return {value, "computed with a code written separately: " + std::string(what)};
+}
+
+/// A number of the table that tests/reference computes anew on every test run.
+inline Reference tabulated(std::string_view name) {
+  const reference::Number& number = reference::number(name);
+  std::string origin(number.origin);
+  constexpr std::string_view solver = "independent solver";
+  if (origin.starts_with(solver)) origin.insert(solver.size(), " in tests/reference");
+  return {number.value, origin};
+}
+
+}  // namespace compare::verify

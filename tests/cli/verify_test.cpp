@@ -1,0 +1,72 @@
+// `validate verify` from outside. That every group passes is a test of its own in CMakeLists.txt.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.hpp"
+
+namespace {
+
+using cli_tests::Outcome;
+using cli_tests::run_validate;
+using cli_tests::WorkFolder;
+using nlohmann::json;
+
+TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
+  const WorkFolder folder;
+  const Outcome outcome = run_validate(
+      {"verify", "membrane", "--group", "patch", "--out", "out", "--json", "rows.json"}, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.err.find("patch: "), std::string::npos) << outcome.err;
+  std::ifstream file(folder.path() / "rows.json");
+  const json document = json::parse(file);
+  const auto rows = document["rows"].size();
+  EXPECT_GE(rows, 20u);
+  EXPECT_EQ(document["passed"], rows);
+  EXPECT_EQ(document["failed"], 0);
+  bool sheared = false;
+  for (const json& row : document["rows"]) {
+    EXPECT_TRUE(row["pass"]);
+    EXPECT_FALSE(row["origin"].get<std::string>().empty());
+    if (row["quantity"] == "S1/Eh" && row["case"] == "simple shear 0.1, wrinkled") {
+      sheared = true;
+      EXPECT_NEAR(row["computed"].get<double>(), 0.0525625, 1e-7);
+    }
+  }
+  EXPECT_TRUE(sheared);
+  std::ifstream csv(folder.path() / "out" / "verify.csv");
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line,
+            "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note");
+  std::size_t lines = 0;
+  while (std::getline(csv, line)) ++lines;
+  EXPECT_EQ(lines, rows);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "verify.json"));
+  EXPECT_NE(outcome.out.find("closed form: (l1^2-1)/2"), std::string::npos) << "origins are printed";
+}
+
+TEST(VerifyCommand, JsonOnStdoutIsNothingElse) {
+  const WorkFolder folder;
+  const Outcome outcome =
+      run_validate({"verify", "membrane", "--group", "laws", "--json", "-", "--quiet"}, folder.path());
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(json::parse(outcome.out)["failed"], 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(VerifyCommand, BadInputIsNamed) {
+  const WorkFolder folder;
+  const auto expect = [&](const std::vector<std::string>& words, const char* said) {
+    const Outcome outcome = run_validate(words, folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  };
+  expect({"verify", "membrane", "--group", "pont"}, "did you mean 'point'?");
+  expect({"verify", "membran"}, "did you mean 'membrane'?");
+  expect({"verify"}, "what");
+  expect({"verify", "membrane", "--break", "half-shear"}, "unknown flag '--break'");  // in test builds only
+}
+
+}  // namespace
