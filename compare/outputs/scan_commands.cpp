@@ -69,7 +69,7 @@ std::string scan_commands(const std::vector<NamedScan>& scans) {
 std::string scan_commands(const Result& result) {
   std::vector<NamedScan> scans;
   for (const Run& run : result.runs) {
-    if (run.scan.depth_max_A.empty() || run.constants == Constants::paper) continue;
+    if (run.scan.depth_max_A.size() < 2 || run.constants == Constants::paper) continue;  // one window is no scan
     const bool atoms = run.model == Model::atomistic;
     scans.push_back({fmt::format("{}, {}", atoms ? "atoms" : "membrane", run.load), run.scan,
                      run.Eh_eV_per_A2, run.pretension_eV_per_A2});

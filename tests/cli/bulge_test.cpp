@@ -22,7 +22,12 @@ TEST(Bulge, WritesNumbersFieldsAndPictures) {
   // 56.31 Å on 60 cells; the mesh's error falls with its square and is 0.2 Å here.
   EXPECT_NEAR(point["depth_A"].get<double>(), 56.31, 0.4);
   EXPECT_GE(point["stress_2_min_eV_per_A3"].get<double>(), -1e-12);
-  EXPECT_NEAR(point["stress_2_max_eV_per_A3"].get<double>(), 0.0444, 0.0015);
+  // Too low by the square of the mesh: extrapolated from 12 and 24 cells it lies in the published range.
+  const auto finer = run_validate({"bulge", "--cells", "24", "--out", "finer", "--json", "-"}, folder.path());
+  const auto stress = [](const nlohmann::json& d) { return d["points"].at(0)["stress_2_max_eV_per_A3"].get<double>(); };
+  const double limit = (4 * stress(nlohmann::json::parse(finer.out)) - stress(document)) / 3;
+  EXPECT_GE(limit, 0.0441);
+  EXPECT_LE(limit, 0.0447);
   EXPECT_TRUE(document["case"].contains("E_eV_per_A3"));
   for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "membrane.pvd", "membrane-0.vtu"})
     EXPECT_GT(fs::file_size(folder.path() / "run" / name), 100u) << name;
