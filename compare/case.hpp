@@ -14,6 +14,7 @@ namespace compare {
 
 inline constexpr std::array<std::string_view, 2> load_names = {"point", "disc"};
 inline constexpr std::array<std::string_view, 2> centre_names = {"hexagon", "atom"};
+inline constexpr std::array<std::string_view, 2> continuum_names = {"sheet", "membrane"};
 inline constexpr std::array<std::string_view, 3> model_names = {"membrane", "atomistic", "both"};
 
 struct Case {
@@ -41,8 +42,11 @@ struct Case {
 
   // [agreement]
   std::string judged_load = "disc";
-  std::vector<double> window = {0.10, 0.15};  ///< depth / effective radius
-  double tolerance = 0.06;
+  std::string against = "sheet";  ///< sheet: calibrated, with bending; membrane: the paper's law, card constants
+  std::vector<double> window = {0.03, 0.5};  ///< depth / effective radius
+  double window_bond_A = 1.65;               ///< the window ends where the atoms' longest bond is this, if earlier
+  double tolerance = 0.01;
+  double regime_tolerance = 0.06;  ///< force ratio beyond which bending or softening is spoken of
 };
 
 template <class Self, class Visitor>
@@ -90,10 +94,17 @@ void describe(Self& c, Visitor&& visit) {
 
   visit(Field{"judged-load", {}, "load whose curves the verdict compares", {}, "agreement", load_names},
         c.judged_load);
+  visit(Field{"against", {}, "continuum that the atoms are held against", {}, "agreement", continuum_names}, c.against);
   visit(Field{"window", {}, "judged range of depth / effective radius", between(0, 1), "agreement"},
         c.window);
+  visit(Field{"window-bond", unit::length, "longest bond at which the judged range ends, if before its upper end",
+              from_to(1.3, 3), "agreement"},
+        c.window_bond_A);
   visit(Field{"tolerance", {}, "largest relative force difference that passes", positive(), "agreement"},
         c.tolerance);
+  visit(Field{"regime-tolerance", {}, "force ratio to the membrane beyond which bending or softening begins", positive(),
+              "agreement"},
+        c.regime_tolerance);
 }
 
 /// True when E, thickness and nu are given: a membrane alone, without card, atoms or verdict.

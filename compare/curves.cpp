@@ -1,5 +1,8 @@
 #include "compare/curves.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace compare {
 
 void append(Run& run, const membrane::Step& step) {
@@ -9,6 +12,31 @@ void append(Run& run, const membrane::Step& step) {
   run.energy_eV.push_back(step.energy_eV);
   run.converged.push_back(step.converged);
   run.newton_iterations.push_back(step.newton_iterations);
+}
+
+namespace {
+
+/// Green–Lagrange strain counted from the lattice at rest, of a sheet that was stretched when flat.
+double from_rest(double strain, double stretch) { return stretch * stretch * strain + (stretch * stretch - 1) / 2; }
+
+double longest(const LongestBond& bond, const std::vector<membrane::axisymmetric::SheetPoint>& points, double stretch) {
+  double found = bond.rest_A;
+  for (const auto& p : points)
+    found = std::max(found, bond(from_rest(p.radial_strain, stretch), from_rest(p.hoop_strain, stretch)));
+  return found;
+}
+
+}  // namespace
+
+void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::optional<LongestBond>& longest_bond,
+            double stretch) {
+  run.depth_A.push_back(step.depth_A);
+  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
+  run.force_eV_per_A.push_back(step.force_eV_per_A);
+  run.energy_eV.push_back(step.energy_eV);
+  run.converged.push_back(step.converged);
+  run.newton_iterations.push_back(step.iterations);
+  if (longest_bond) run.longest_bond_A.push_back(longest(*longest_bond, step.points, stretch));
 }
 
 void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
@@ -56,6 +84,11 @@ Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps
 
 void close(Run& run, const membrane::Report& report) {
   run.triangles = report.triangles;
+  run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
+  run.ended_reason = report.reason;
+}
+
+void close(Run& run, const membrane::axisymmetric::SheetReport& report) {
   run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
   run.ended_reason = report.reason;
 }

@@ -1,13 +1,21 @@
 // Leaf results into runs: the columns of a curve, one step at a time.
 #pragma once
 
+#include <optional>
+
 #include "atomistic/problem.hpp"
+#include "compare/calibration/calibrated_law.hpp"
 #include "compare/result.hpp"
+#include "membrane/axisymmetric/sheet.hpp"
 #include "membrane/problem.hpp"
 
 namespace compare {
 
 void append(Run& run, const membrane::Step& step);
+
+/// With the longest bond that the strains of the sheet predict, where the law knows it. `stretch` is the flat sheet's.
+void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::optional<LongestBond>& longest_bond,
+            double stretch);
 
 /// `artefact_from_A` is the potential's own length from which forces are an artefact.
 void append(Run& run, const atomistic::Step& step, double artefact_from_A);
@@ -17,6 +25,7 @@ void append(Run& run, const atomistic::Step& step, double artefact_from_A);
 Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps);
 
 void close(Run& run, const membrane::Report& report);
+void close(Run& run, const membrane::axisymmetric::SheetReport& report);
 void close(Run& run, const atomistic::Report& report);
 
 }  // namespace compare

@@ -17,7 +17,7 @@ constexpr int few_points = 8;
 constexpr double shallow = 0.05;     // depth / a below which the cubic hardly shows
 constexpr double good_fit = 0.01;    // rms / largest force
 constexpr double large_bias = 0.03;  // of E·h
-constexpr double near_artefact_A = artefact_bond_A - 0.02;
+constexpr double near_artefact_A = 0.02;  // of bond length
 
 using Warnings = std::vector<std::string>;
 
@@ -75,10 +75,10 @@ void atoms(const FitContext& context, Warnings& found) {
   if (context.artefact_points > 0)
     found.push_back(
         fmt::format("{} point(s) in the potential's artefact zone left out", context.artefact_points));
-  if (context.longest_bond_A >= near_artefact_A)
+  if (context.longest_bond_A >= context.artefact_bond_A - near_artefact_A)
     found.push_back(
         fmt::format("a bond of {:.3f} Å among the points fitted is near the artefact zone ({:.2f} Å)",
-                    context.longest_bond_A, artefact_bond_A));
+                    context.longest_bond_A, context.artefact_bond_A));
 }
 
 void radius(const FitContext& context, Warnings& found) {
@@ -97,7 +97,7 @@ void tip(const FitContext& context, Warnings& found) {
 
 FitContext context_of(const Result& result, const Run& run) {
   constexpr double radius_error_in_bonds = 0.25;
-  FitContext context{.a_A = run.a_A};
+  FitContext context{.a_A = run.a_A, .artefact_bond_A = artefact_bond_of(result)};
   if (run.model != Model::atomistic) return context;
   if (result.card) {
     context.bending_eV = result.card->bending_modulus_eV;

@@ -14,6 +14,7 @@ struct FitContext {
   double bending_eV = not_known;      ///< κ of the sheet; NaN where it has none or it is not known
   double radius_error_A = not_known;  ///< by which the clamp radius may be off
   double longest_bond_A = not_known;  ///< of the points fitted
+  double artefact_bond_A = not_known; ///< of the potential
   int artefact_points = 0;            ///< left out
   bool tip_assumed_a_point = false;   ///< nothing is known of the size of the tip
 };

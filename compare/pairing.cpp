@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "atomistic/loads/load_term.hpp"
+#include "compare/calibration/states.hpp"
 #include "compare/errors.hpp"
 #include "compare/nearest.hpp"
 
@@ -143,7 +144,102 @@ MembraneExperiment given_membrane(const Case& c, const std::string& load, const 
                              load_pair(load).nominal(c.tip_radius_A), *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
 }
 
-CardSummary summary_of(const atomistic::Card& card) {
+namespace {
+
+namespace axi = membrane::axisymmetric;
+
+SheetExperiment sheet_experiment(const Case& c, const std::string& load, const std::vector<double>& levels,
+                                 const PairedSheet& pair, const atomistic::Card& card, Model model,
+                                 Constants constants) {
+  SheetExperiment e;
+  e.run.model = model;
+  e.run.load = load;
+  e.run.constants = constants;
+  e.run.a_A = pair.effective_radius_A();
+  e.run.tip_A = pair.effective_tip_A(atomistic_load(c, load));
+  e.run.Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2();
+  e.run.nu = card.nu();
+  e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
+  e.run.record_radius_A = pair.sheet().bond_A;
+  e.problem.radius_A = e.run.a_A;
+  e.problem.load = axi::DiscLoad{e.run.tip_A};
+  e.problem.pretension_eV_per_A2 = c.pretension_eV_per_A2;
+  e.problem.record_radius_A = e.run.record_radius_A;
+  e.problem.control = dead_forces(c) ? axi::Control::force : axi::Control::conjugate_depth;
+  e.problem.levels = levels;
+  if (model == Model::sheet) {
+    e.problem.relaxed = false;
+    e.problem.bending_modulus_eV = card.bending_modulus_eV();
+  }
+  return e;
+}
+
+/// A law per area of the sheet that is stretched already, W(λ² Ē)/λ²: the prestress is then the law's answer to the imposed
+/// strain, exactly.
+membrane::CauchyBorn prestretched(membrane::CauchyBorn law, double stretch) {
+  const double square = stretch * stretch;
+  law.sheet_modulus_eV_per_A2 *= square;
+  for (membrane::InvariantTerm& term : law.terms)
+    term.coefficient_eV_per_A2 *= std::pow(square, term.a + term.b - 1);
+  return law;
+}
+
+axi::Load nominal_load(const Case& c, const std::string& load) {
+  if (std::holds_alternative<membrane::PointLoad>(load_pair(load).nominal(c.tip_radius_A))) return axi::PointLoad{};
+  return axi::DiscLoad{c.tip_radius_A};
+}
+
+}  // namespace
+
+SheetExperiment calibrated_experiment(const Case& c, const atomistic::Card& card, const CalibratedLaw& law,
+                                      const PairedSheet& pair, const std::string& load,
+                                      const std::vector<double>& levels, Model model, double artefact_bond_A) {
+  SheetExperiment e = sheet_experiment(c, load, levels, pair, card, model, Constants::calibrated);
+  const double stretch = 1 + pair.biaxial_strain(), strain = (stretch * stretch - 1) / 2;
+  e.problem.law = prestretched(law.law, stretch);
+  e.problem.pretension_eV_per_A2 = law.law({strain, strain, 0}).force_eV_per_A2[0];
+  e.problem.bending_modulus_eV /= stretch * stretch;
+  e.run.pretension_eV_per_A2 = e.problem.pretension_eV_per_A2;
+  e.longest_bond = law.longest_bond;
+  e.stretch = stretch;
+  constexpr double beyond_A = 0.03;
+  e.last_bond_A = artefact_bond_A + beyond_A;
+  return e;
+}
+
+std::array<SheetExperiment, 3> plain_experiments(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
+                                                 const std::string& load, const std::vector<double>& levels) {
+  const auto plain = [&](Model model) {
+    SheetExperiment e = sheet_experiment(c, load, levels, pair, card, model, Constants::card);
+    e.problem.law = membrane::StVenantKirchhoff{e.run.Eh_eV_per_A2, e.run.nu};
+    return e;
+  };
+  std::array<SheetExperiment, 3> stages = {plain(Model::membrane), plain(Model::membrane), plain(Model::sheet)};
+  stages[0].run.a_A = stages[0].problem.radius_A = c.radius_A;
+  stages[0].problem.load = nominal_load(c, load);
+  return stages;
+}
+
+LawSummary summary_of(const CalibratedLaw& law, double bending_modulus_eV) {
+  LawSummary summary{.degree = law.degree,
+                     .rms_misfit = law.rms_misfit,
+                     .worst_misfit = law.worst_misfit,
+                     .anisotropy = law.anisotropy,
+                     .longest_bond_A = longest_calibrated_bond_A,
+                     .convex = law.convexity.convex(),
+                     .bending_modulus_eV = bending_modulus_eV,
+                     .power_of_I = {},
+                     .power_of_q = {},
+                     .coefficient_eV_per_A2 = {}};
+  for (const membrane::InvariantTerm& term : law.law.terms) {
+    summary.power_of_I.push_back(term.a);
+    summary.power_of_q.push_back(term.b);
+    summary.coefficient_eV_per_A2.push_back(term.coefficient_eV_per_A2);
+  }
+  return summary;
+}
+
+CardSummary summary_of(const atomistic::Card& card, double artefact_bond_A) {
   const double isotropic = (card.C11_eV_per_A2 - card.C12_eV_per_A2) / 2;
   return {.a0_A = card.a0_A,
           .energy_per_atom_eV = card.energy_per_atom_eV,
@@ -153,7 +249,8 @@ CardSummary summary_of(const atomistic::Card& card) {
           .Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2(),
           .nu = card.nu(),
           .bending_modulus_eV = card.bending_modulus_eV(),
-          .isotropy_error = card.C66_eV_per_A2 / isotropic - 1};
+          .isotropy_error = card.C66_eV_per_A2 / isotropic - 1,
+          .artefact_bond_A = artefact_bond_A};
 }
 
 }  // namespace compare

@@ -1,13 +1,17 @@
 // What makes the two models the same experiment: radius, tip, clamp, pretension, constants, zero of depth.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "atomistic/problem.hpp"
 #include "atomistic/sheet.hpp"
+#include "compare/calibration/calibrated_law.hpp"
 #include "compare/case.hpp"
 #include "compare/result.hpp"
+#include "membrane/axisymmetric/sheet.hpp"
 #include "membrane/problem.hpp"
 
 namespace compare {
@@ -16,6 +20,14 @@ namespace compare {
 struct MembraneExperiment {
   Run run;
   membrane::Problem problem;
+};
+/// The same in one dimension.
+struct SheetExperiment {
+  Run run;
+  membrane::axisymmetric::SheetProblem problem;
+  std::optional<LongestBond> longest_bond;  ///< where the law knows it
+  double stretch = 1;                       ///< of the flat sheet, which the bond's strains must count
+  double last_bond_A = 0;                   ///< the curve need not go on from there
 };
 struct AtomisticExperiment {
   Run run;
@@ -59,6 +71,19 @@ MembraneExperiment paper_membrane(const Case& c, const std::string& load, const 
 /// A membrane with the case's own E, thickness and ν and the nominal radii, depth at the centre.
 MembraneExperiment given_membrane(const Case& c, const std::string& load, const std::vector<double>& levels);
 
-CardSummary summary_of(const atomistic::Card& card);
+/// The potential's own law on the paired radii: Model::sheet with bending and not relaxed, since bending is what limits
+/// compression; Model::membrane relaxed and without. The
+/// curves end a little beyond the potential's artefact length.
+SheetExperiment calibrated_experiment(const Case& c, const atomistic::Card& card, const CalibratedLaw& law,
+                                      const PairedSheet& pair, const std::string& load,
+                                      const std::vector<double>& levels, Model model, double artefact_bond_A);
+
+/// St Venant–Kirchhoff's sheet with the card's constants on its way to the atoms: a membrane of nominal radii, one of the
+/// paired radii, and a sheet that bends. The depth of record is the atoms' in all.
+std::array<SheetExperiment, 3> plain_experiments(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
+                                                 const std::string& load, const std::vector<double>& levels);
+
+CardSummary summary_of(const atomistic::Card& card, double artefact_bond_A);
+LawSummary summary_of(const CalibratedLaw& law, double bending_modulus_eV);
 
 }  // namespace compare

@@ -5,9 +5,12 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
+#include <stdexcept>
 #include <optional>
 
 #include "atomistic/protocol/json.hpp"
+#include "compare/calibration/states.hpp"
 #include "compare/errors.hpp"
 #include "compare/outputs/file.hpp"
 #include "compare/provenance.hpp"
@@ -20,21 +23,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Counts up when a number of the card is computed in another way.
-constexpr int card_layout = 1;
-
-/// The Cauchy–Born states that a calibrated law is made from: principal stretches from these, at 15° to zigzag, which
-/// averages the sixfold anisotropy.
-constexpr double stretches[] = {0.97, 1, 1.035, 1.075, 1.115, 1.155};
-constexpr double averaged_orientation_deg = 15;
-
-std::vector<atomistic::StrainState> calibration_strains() {
-  const auto green_lagrange = [](double stretch) { return (stretch * stretch - 1) / 2; };
-  std::vector<atomistic::StrainState> strains;
-  for (const double one : stretches)
-    for (const double two : stretches)
-      if (one >= two) strains.push_back({green_lagrange(one), green_lagrange(two), 0, averaged_orientation_deg});
-  return strains;
-}
+constexpr int card_layout = 3;
 
 /// Removed unless kept.
 class TemporaryFolder {
@@ -63,7 +52,9 @@ std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::pa
   const json j = json::parse(in, nullptr, false);
   if (!j.is_object()) return std::nullopt;
   try {
-    return PotentialCard{potential, j.at("card"), j.at("response"), j.at("lammps"), true};
+    return PotentialCard{
+        .potential = potential, .card = j.at("card"), .response = j.at("response"), .lammps = j.at("lammps"),
+        .from_cache = true, .law = {}, .no_law = {}};
   } catch (const json::exception&) {
     return std::nullopt;
   }
@@ -75,6 +66,14 @@ void keep(const PotentialCard& card, const fs::path& file) {
     write_file(file, json{{"card", card.card}, {"response", card.response}, {"lammps", card.lammps}}.dump(1) + "\n");
   } catch (const std::exception&) {
     // the next run computes it again
+  }
+}
+
+void add_law(PotentialCard& card) {
+  try {
+    card.law = calibrate(card.card, card.response.states);
+  } catch (const std::invalid_argument& reason) {
+    card.no_law = reason.what();
   }
 }
 
@@ -115,20 +114,25 @@ fs::path card_cache() {
     return std::string(value ? value : "");
   };
   if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty()) return fs::path(cache) / "validate" / "cards";
-  return fs::path(variable("HOME")) / ".cache" / "validate" / "cards";
+  if (const std::string home = variable("HOME"); !home.empty()) return fs::path(home) / ".cache" / "validate" / "cards";
+  return {};
 }
 
 PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& launch, const fs::path& cache,
                              bool refresh) {
-  const fs::path file = cache / (card_key(potential) + ".json");
-  if (!refresh)
-    if (auto found = cached(potential, file)) return *found;
-  PotentialCard card{.potential = potential, .card = {}, .response = {}, .lammps = {}, .from_cache = false};
+  const fs::path file = cache.empty() ? fs::path() : cache / (card_key(potential) + ".json");
+  if (!refresh && !file.empty())
+    if (auto found = cached(potential, file)) {
+      add_law(*found);
+      return *found;
+    }
+  PotentialCard card{.potential = potential, .card = {}, .response = {}, .lammps = {}, .law = {}, .no_law = {}};
   TemporaryFolder folder;
   run_job(launch, folder, "card", atomistic::CardJob{potential.potential}, TakeEvents{card});
-  run_job(launch, folder, "response", atomistic::ResponseJob{potential.potential, card.card, calibration_strains()},
+  run_job(launch, folder, "response", atomistic::ResponseJob{potential.potential, card.card, calibration_strains(card.card.a0_A / std::numbers::sqrt3)},
           TakeEvents{card});
-  keep(card, file);
+  if (!file.empty()) keep(card, file);
+  add_law(card);
   return card;
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
 #include "compare/atoms.hpp"
+#include "compare/calibration/calibrated_law.hpp"
 #include "compare/potential_file.hpp"
 
 namespace compare {
@@ -17,12 +19,14 @@ struct PotentialCard {
   atomistic::Response response;
   std::string lammps;       ///< release that computed it
   bool from_cache = false;
+  std::optional<CalibratedLaw> law;  ///< made from the response's states
+  std::string no_law;                ///< why there is none
 };
 
 /// What the numbers depend on, as one SHA-256: the potential's description and parameters, this program's version.
 std::string card_key(const PotentialFile& potential);
 
-/// $XDG_CACHE_HOME/validate/cards, else ~/.cache/validate/cards.
+/// $XDG_CACHE_HOME/validate/cards, else ~/.cache/validate/cards; empty, no cache, without either.
 std::filesystem::path card_cache();
 
 /// From the cache unless `refresh`; computed otherwise, in a temporary folder that stays where the atomistic program

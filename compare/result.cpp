@@ -10,6 +10,8 @@ std::string_view to_string(Model model) {
       return "membrane";
     case Model::atomistic:
       return "atomistic";
+    case Model::sheet:
+      return "sheet";
   }
   return "";
 }
@@ -22,6 +24,8 @@ std::string_view to_string(Constants constants) {
       return "paper";
     case Constants::given:
       return "given";
+    case Constants::calibrated:
+      return "calibrated";
     case Constants::none:
       return "none";
   }
@@ -72,6 +76,11 @@ std::vector<std::size_t> usable_points(const Run& run) {
     if (finite && run.depth_A[i] > 0 && run.converged[i] && !is_artefact(run, i)) usable.push_back(i);
   }
   return usable;
+}
+
+double artefact_bond_of(const Result& result) {
+  constexpr double usual_A = 1.70;
+  return result.card && std::isfinite(result.card->artefact_bond_A) ? result.card->artefact_bond_A : usual_A;
 }
 
 std::optional<std::size_t> first_artefact(const Run& run) {

@@ -13,14 +13,12 @@
 
 namespace compare {
 
-enum class Model { membrane, atomistic };
-enum class Constants { card, paper, given, none };  ///< none: atomistic
+enum class Model { membrane, atomistic, sheet };  ///< sheet: a membrane that resists bending
+enum class Constants { card, paper, given, calibrated, none };  ///< none: atomistic
 enum class Ended { depth_max, artefact, rupture, not_converged };
 
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// From this longest bond (Å) on, the carbon potentials' switching function makes the forces an artefact.
-inline constexpr double artefact_bond_A = 1.70;
 
 std::string_view to_string(Model);
 std::string_view to_string(Constants);
@@ -88,14 +86,16 @@ struct Run {
   std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A, energy_eV;
   std::vector<bool> converged;
 
+  std::vector<double> longest_bond_A;  ///< atomistic: measured; calibrated: predicted from the strain
+
   // atomistic
-  std::vector<double> longest_bond_A, max_force_eV_per_A, balance_relative, force_error_relative;
+  std::vector<double> max_force_eV_per_A, balance_relative, force_error_relative;
   std::vector<bool> artefact;
   std::vector<int> force_evaluations, factorisations;
 
-  // membrane
+  // membrane and sheet
   std::vector<int> newton_iterations;
-  int triangles = 0;
+  int triangles = 0;  ///< 0: solved in one dimension
 
   std::optional<Fit> fit;
   std::string fit_skipped;  ///< why there is no fit
@@ -116,6 +116,19 @@ struct CardSummary {
   double Eh_eV_per_A2 = not_known, nu = not_known;
   double bending_modulus_eV = not_known;
   double isotropy_error = not_known;  ///< C66 / ((C11 − C12)/2) − 1
+  double artefact_bond_A = not_known;  ///< from this longest bond on, the potential's cut-off makes forces an artefact
+};
+
+/// The law made from the potential's homogeneous response, as used.
+struct LawSummary {
+  int degree = 0;
+  double rms_misfit = not_known, worst_misfit = not_known;  ///< of the stress
+  double anisotropy = not_known;    ///< left out: largest difference of the stress along zigzag or armchair
+  double longest_bond_A = not_known;  ///< the law holds up to here
+  bool convex = false;                ///< up to there
+  double bending_modulus_eV = not_known;
+  std::vector<int> power_of_I, power_of_q;  ///< terms c I^a q^b of the energy
+  std::vector<double> coefficient_eV_per_A2;
 };
 
 struct Agreement {
@@ -124,6 +137,18 @@ struct Agreement {
   double max_relative_difference = 0, tolerance = 0;
   bool passed = false;
   std::vector<double> depth_A, ratio;  ///< the points judged, F_atoms / F_continuum
+};
+
+/// What makes up the difference between the atoms' force and that of a plain membrane (St Venant–Kirchhoff, nominal radii)
+/// at the same depth: shares of that membrane's force that add up to the whole.
+struct Explanation {
+  std::string load;
+  std::vector<double> depth_A, depth_relative;
+  std::vector<double> plain_force_eV_per_A;  ///< of the membrane that is explained away
+  std::vector<double> geometry;              ///< radii of clamp and tip as the atoms have them
+  std::vector<double> bending;
+  std::vector<double> large_strain;  ///< the potential's own response for St Venant–Kirchhoff's
+  std::vector<double> remainder;     ///< what no continuum here has
 };
 
 /// Where a sheet of atoms is, beside the like-for-like membrane at the same depth.
@@ -136,11 +161,13 @@ std::string_view to_string(Regime);
 struct Comparison {
   std::string load;
   std::vector<double> depth_A, depth_relative, force_ratio, depth_ratio, energy_ratio;
+  std::vector<double> calibrated_membrane_ratio, sheet_ratio;  ///< force over that of the calibrated continua
   std::vector<Regime> regime;
 
   /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 − tolerance,
   /// longest bond in the artefact zone.
   double bending_to_A = not_known, softening_from_A = not_known, artefact_from_A = not_known;
+  double predicted_artefact_from_A = not_known;  ///< by the calibrated sheet's strains
 };
 
 struct SheetSummary {
@@ -175,13 +202,19 @@ struct Result {
   Case resolved;
   std::optional<SheetSummary> sheet;  ///< absent where no atoms were asked for
   std::optional<CardSummary> card;
+  std::optional<LawSummary> law;
+  std::string law_missing;  ///< why there is none
   std::vector<Run> runs;
   std::optional<Agreement> agreement;
   std::string agreement_skipped;  ///< why there is no verdict
   std::vector<Comparison> comparisons;  ///< one per load that both models computed
+  std::vector<Explanation> explanations;  ///< one per load that has the calibrated sheet
   std::vector<Unloading> unloading;
   Timing timing;
   Provenance provenance;
 };
+
+/// The potential's artefact length, Å; that of most carbon potentials where there is no card.
+double artefact_bond_of(const Result& result);
 
 }  // namespace compare

@@ -85,10 +85,10 @@ void describe_points(Self& scan, Visitor&& visit) {
 template <class Self, class Visitor>
 requires SameStruct<Self, Run>
 void describe(Self& run, Visitor&& visit) {
-  visit(Field{"model", unit::none, "membrane or atomistic"}, run.model);
+  visit(Field{"model", unit::none, "membrane, atomistic or sheet (a membrane that resists bending)"}, run.model);
   visit(Field{"load", unit::none, "name of the load"}, run.load);
   if (run.constants != Constants::none) {
-    visit(Field{"constants", unit::none, "where E·h and nu come from: card, paper, given"}, run.constants);
+    visit(Field{"constants", unit::none, "where E·h and nu come from: card, paper, given; calibrated: the potential's own law"}, run.constants);
   }
   visit(Field{"a", unit::length, "clamp radius as used"}, run.a_A);
   visit(Field{"tip", unit::length, "radius of the loaded disc as used"}, run.tip_A);
@@ -100,8 +100,8 @@ void describe(Self& run, Visitor&& visit) {
         run.record_radius_A);
   visit(Field{"ended", unit::none, "how the path ended"}, run.ended);
   visit(Field{"ended_reason", unit::none, "the same in words"}, run.ended_reason);
-  if (run.model == Model::membrane) {
-    visit(Field{"triangles", unit::none, "triangles of the quarter's mesh"}, run.triangles);
+  if (run.model != Model::atomistic) {
+    visit(Field{"triangles", unit::none, "triangles of the quarter's mesh; 0: solved in one dimension"}, run.triangles);
   }
 }
 
@@ -115,7 +115,9 @@ void describe_points(Self& run, Visitor&& visit) {
   visit(Field{"force", unit::force, "total force on the full sheet"}, run.force_eV_per_A);
   visit(Field{"energy", unit::energy, "energy relative to the flat sheet"}, run.energy_eV);
   visit(Field{"converged", unit::none, "equilibrium reached"}, run.converged);
-  if (run.model == Model::membrane) {
+  if (run.model != Model::atomistic) {
+    if (run.constants == Constants::calibrated)
+      visit(Field{"longest_bond", unit::length, "longest bond, predicted from the strains"}, run.longest_bond_A);
     visit(Field{"newton_iterations", unit::none, "Newton iterations of this depth"}, run.newton_iterations);
     return;
   }
@@ -144,6 +146,29 @@ void describe(Self& card, Visitor&& visit) {
   visit(Field{"nu", unit::none, "Poisson's ratio"}, card.nu);
   visit(Field{"bending_modulus", unit::energy, "bending modulus"}, card.bending_modulus_eV);
   visit(Field{"isotropy_error", unit::none, "C66 / ((C11 − C12)/2) − 1"}, card.isotropy_error);
+  visit(Field{"artefact_bond", unit::length, "longest bond from which on forces are an artefact"}, card.artefact_bond_A);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, LawSummary>
+void describe(Self& law, Visitor&& visit) {
+  visit(Field{"degree", unit::none, "of the energy in the strain"}, law.degree);
+  visit(Field{"rms_misfit", unit::none, "of the stress, relative"}, law.rms_misfit);
+  visit(Field{"worst_misfit", unit::none, "of the stress, relative"}, law.worst_misfit);
+  visit(Field{"anisotropy", unit::none, "left out: largest difference of the stress along zigzag or armchair"},
+        law.anisotropy);
+  visit(Field{"longest_bond", unit::length, "up to which the law holds"}, law.longest_bond_A);
+  visit(Field{"convex", unit::none, "up to there"}, law.convex);
+  visit(Field{"bending_modulus", unit::energy, "that goes with it"}, law.bending_modulus_eV);
+}
+
+/// One value per term c I^a q^b of the energy per area, beyond the card's quadratic ones.
+template <class Self, class Visitor>
+requires SameStruct<Self, LawSummary>
+void describe_points(Self& law, Visitor&& visit) {
+  visit(Field{"power_of_I", unit::none, "a; I = E1 + E2, Green-Lagrange"}, law.power_of_I);
+  visit(Field{"power_of_q", unit::none, "b; q = |E1 - E2|/2"}, law.power_of_q);
+  visit(Field{"coefficient", unit::membrane_force, "c"}, law.coefficient_eV_per_A2);
 }
 
 template <class Self, class Visitor>
@@ -175,6 +200,8 @@ void describe(Self& comparison, Visitor&& visit) {
   visit(Field{"softening_from", unit::length, "from this depth the force ratio is below 1 − tolerance"},
         comparison.softening_from_A);
   visit(Field{"artefact_from", unit::length, "first depth in the potential's artefact zone"}, comparison.artefact_from_A);
+  visit(Field{"predicted_artefact_from", unit::length, "where the calibrated sheet's strains put its beginning"},
+        comparison.predicted_artefact_from_A);
 }
 
 /// One value per depth compared.
@@ -186,7 +213,30 @@ void describe_points(Self& comparison, Visitor&& visit) {
   visit(Field{"force_ratio", unit::none, "F_atoms / F_membrane at this depth"}, comparison.force_ratio);
   visit(Field{"depth_ratio", unit::none, "d_atoms / d_membrane at the atoms' force"}, comparison.depth_ratio);
   visit(Field{"energy_ratio", unit::none, "W_atoms / W_membrane at this depth"}, comparison.energy_ratio);
+  visit(Field{"calibrated_membrane_ratio", unit::none, "F_atoms / F_calibrated membrane at this depth"},
+        comparison.calibrated_membrane_ratio);
+  visit(Field{"sheet_ratio", unit::none, "F_atoms / F_calibrated sheet with bending at this depth"}, comparison.sheet_ratio);
   visit(Field{"regime", unit::none, "bending, membrane, softening or artefact"}, comparison.regime);
+}
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Explanation>
+void describe(Self& explanation, Visitor&& visit) {
+  visit(Field{"load", unit::none, "load explained"}, explanation.load);
+}
+
+/// One value per depth of the atoms: shares of the plain membrane's force.
+template <class Self, class Visitor>
+requires SameStruct<Self, Explanation>
+void describe_points(Self& explanation, Visitor&& visit) {
+  visit(Field{"depth", unit::length, "depth of record"}, explanation.depth_A);
+  visit(Field{"depth_relative", unit::none, "the same over the effective radius"}, explanation.depth_relative);
+  visit(Field{"plain_force", unit::force, "of the St Venant-Kirchhoff membrane with nominal radii"},
+        explanation.plain_force_eV_per_A);
+  visit(Field{"geometry", unit::none, "radii of clamp and tip as the atoms have them"}, explanation.geometry);
+  visit(Field{"bending", unit::none, "resistance to bending"}, explanation.bending);
+  visit(Field{"large_strain", unit::none, "the potential's own response at large strain"}, explanation.large_strain);
+  visit(Field{"remainder", unit::none, "what is left to the atoms' force"}, explanation.remainder);
 }
 
 template <class Self, class Visitor>

@@ -190,7 +190,7 @@ void fit_run(Run& run) {
 namespace {
 
 const Run* like_for_like(const Result& result, const Run& run) {
-  if (run.model == Model::membrane) return &run;
+  if (run.model == Model::membrane && run.constants != Constants::calibrated) return &run;
   const auto twin = std::ranges::find_if(result.runs, [&](const Run& other) {
     return other.model == Model::membrane && other.constants == Constants::card && other.load == run.load;
   });

@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <map>
-#include <thread>
 
 #include "atomistic/protocol/step_file.hpp"
 #include "compare/agreement.hpp"
+#include "compare/continua.hpp"
 #include "compare/curve.hpp"
 #include "compare/curves.hpp"
 #include "compare/errors.hpp"
 #include "compare/fit_warnings.hpp"
 #include "compare/interrupt.hpp"
 #include "compare/pairing.hpp"
+#include "compare/potential_card.hpp"
 #include "compare/provenance.hpp"
 #include "compare/run_fit.hpp"
 
@@ -30,41 +30,6 @@ constexpr int fewest_atoms_per_rank = 3000;
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-void solve_membrane(MembraneExperiment& e) {
-  const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
-    append(e.run, step);
-    return !interrupted();
-  });
-  close(e.run, report);
-}
-
-/// Solves in a thread of its own while the atoms run; what it throws comes out of join().
-class MembraneThread {
- public:
-  explicit MembraneThread(std::vector<MembraneExperiment>& experiments)
-      : thread_([this, &experiments] {
-          const double start = seconds();
-          try {
-            for (MembraneExperiment& e : experiments)
-              if (!interrupted()) solve_membrane(e);
-          } catch (...) {
-            failure_ = std::current_exception();
-          }
-          elapsed_s_ = seconds() - start;
-        }) {}
-
-  double join() {
-    thread_.join();
-    if (failure_) std::rethrow_exception(failure_);
-    return elapsed_s_;
-  }
-
- private:
-  std::exception_ptr failure_;
-  double elapsed_s_ = 0;
-  std::jthread thread_;  // last: starts when the rest is there
-};
 
 void add(Timing& timing, const atomistic::Report& report) {
   timing.force_calls = timing.force_calls.value_or(0) + report.force_calls;
@@ -88,6 +53,26 @@ std::vector<double> merged(std::vector<double> levels, const std::vector<double>
   return levels;
 }
 
+/// step, 2 step, … and the deepest.
+std::vector<double> grid_levels(double step, double deepest) {
+  std::vector<double> levels;
+  for (int k = 1; k * step < deepest * (1 - 1e-9); ++k) levels.push_back(k * step);
+  levels.push_back(deepest);
+  return levels;
+}
+
+/// Controlled depths at which a curve's depth of record is just below lo and just above hi, as far as it reaches. The
+/// margin is for what makes the atoms' ratio of the two depths another one: bending, by 0.2 % at 110 Å and 1.4 % at 30 Å.
+std::vector<double> window_ends(const Run& scout, double lo_A, double hi_A, double radius_A) {
+  const double margin = 0.005 + 0.6 / radius_A;
+  std::vector<double> levels;
+  if (scout.depth_A.size() < 2) return levels;
+  const Curve controlled(scout.depth_A, scout.conjugate_depth_A);
+  for (const double depth : {lo_A * (1 - margin), hi_A * (1 + margin)})
+    if (const auto level = controlled.at(depth)) levels.push_back(*level);
+  return levels;
+}
+
 class Study {
  public:
   Study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
@@ -106,7 +91,7 @@ class Study {
       if (compute_card()) compare_models();
     } else {
       for (const std::string& load : case_.loads)
-        membranes_.push_back(given_membrane(case_, load, levels_of(case_)));
+        continua_.add(given_membrane(case_, load, levels_of(case_)));
       compute_curves();
     }
     finish();
@@ -121,24 +106,23 @@ class Study {
 
   bool compute_card() {
     progress_.say(fmt::format("potential card of {}", case_.potential));
-    const AtomsJob job{
-        "card", {atomistic::CardJob{potential_->potential}, (work() / "card" / "log.lammps").string()}, 1};
-    const auto outcomes =
-        run_jobs(options_.launch, {job}, work(), [&](std::size_t, const atomistic::Event& event) {
-          if (const auto* e = std::get_if<atomistic::CardEvent>(&event)) card_ = e->card;
-          note_start(event);
-        });
-    if (outcomes[0].fault == atomistic::Fault::bad_input) {
-      fs::remove_all(work() / "card");
-      throw bad_input("potential '{}': {}", case_.potential, outcomes[0].failure);
-    }
-    if (!outcomes[0].finished || !card_) {
-      outcome_.failure = "the potential card: " + outcomes[0].failure;
+    try {
+      PotentialCard found = potential_card(*potential_, options_.launch, card_cache(), false);
+      card_ = found.card;
+      law_ = std::move(found.law);
+      outcome_.result.law_missing = found.no_law;
+      outcome_.result.provenance.lammps = found.lammps;
+    } catch (const Error& error) {
+      if (error.exit_code() == ExitCode::bad_input)
+        throw bad_input("potential '{}': {}", case_.potential, error.what());
+      if (error.exit_code() != ExitCode::atomistic_failed) throw;
+      outcome_.failure = std::string("the potential card: ") + error.what();
       return false;
     }
-    outcome_.result.card = summary_of(*card_);
-    progress_.say(fmt::format("card: a0 = {:.5f} Å, E·h = {:.3f} eV/Å², ν = {:.4f}", card_->a0_A,
-                              card_->sheet_modulus_eV_per_A2(), card_->nu()));
+    outcome_.result.card = summary_of(*card_, potential_->potential.artefact_bond_A);
+    if (law_) outcome_.result.law = summary_of(*law_, card_->bending_modulus_eV());
+    progress_.say(fmt::format("card: a0 = {:.5f} Å, E·h = {:.3f} eV/Å², ν = {:.4f}, κ = {:.3f} eV", card_->a0_A,
+                              card_->sheet_modulus_eV_per_A2(), card_->nu(), card_->bending_modulus_eV()));
     return true;
   }
 
@@ -153,10 +137,7 @@ class Study {
       const std::vector<double> levels = merged(levels_of(case_), window_levels(load));
       if (wants_atoms())
         atoms_.push_back(atomistic_experiment(case_, potential_->potential, *card_, *pair_, load, levels));
-      if (wants_membrane()) {
-        membranes_.push_back(card_membrane(case_, *card_, *pair_, load, levels));
-        membranes_.push_back(paper_membrane(case_, load, levels_of(case_)));
-      }
+      if (wants_membrane()) add_continua(load, levels);
     }
     if (wants_atoms()) {
       outcome_.sheet = pair_->sheet();
@@ -171,28 +152,50 @@ class Study {
     compute_curves();
   }
 
-  /// Controlled depths that bring the depth of record just below the window's lower end and just above its
-  /// upper one, by the like-for-like membrane. Bending makes the atoms' ratio of the two depths another one,
-  /// by 0.2 % at 110 Å and 1.4 % at 30 Å.
+  void add_continua(const std::string& load, const std::vector<double>& levels) {
+    continua_.add(card_membrane(case_, *card_, *pair_, load, levels));
+    continua_.add(paper_membrane(case_, load, levels_of(case_)));
+    if (!law_) return;
+    const std::vector<double> finer = case_.forces_eV_per_A.empty() ? finer_and_further(levels) : levels;
+    continua_.add_calibrated(plain_experiments(case_, *card_, *pair_, load, finer),
+                             calibrated(load, finer, Model::membrane), calibrated(load, finer, Model::sheet));
+  }
+
+  SheetExperiment calibrated(const std::string& load, const std::vector<double>& levels, Model model) const {
+    return calibrated_experiment(case_, *card_, *law_, *pair_, load, levels, model,
+                                 potential_->potential.artefact_bond_A);
+  }
+
+  /// More controlled depths for the judged load, by the continuum that it is judged against: just below the window's lower
+  /// end, just above its upper one, and those in between that the case's own list leaves out.
   std::vector<double> window_levels(const std::string& load) const {
-    const double margin = 0.005 + 0.6 / case_.radius_A;
     if (load != case_.judged_load || case_.models != "both" || !case_.forces_eV_per_A.empty()) return {};
+    if (case_.against == "sheet") return law_ ? sheet_window_levels(load) : std::vector<double>();
     MembraneExperiment scout = card_membrane(case_, *card_, *pair_, load, levels_of(case_));
-    solve_membrane(scout);
-    if (scout.run.depth_A.size() < 2) return {};
-    const Curve controlled(scout.run.depth_A, scout.run.conjugate_depth_A);
-    std::vector<double> levels;
+    solve(scout);
     const double a = pair_->effective_radius_A();
-    for (const double depth :
-         {case_.window.front() * a * (1 - margin), case_.window.back() * a * (1 + margin)})
-      if (const auto level = controlled.at(depth)) levels.push_back(*level);
+    return window_ends(scout.run, case_.window.front() * a, case_.window.back() * a, case_.radius_A);
+  }
+
+  std::vector<double> sheet_window_levels(const std::string& load) const {
+    const double step = depth_step_A(case_), a = pair_->effective_radius_A();
+    const double deepest = case_.depth_max_A.value_or(case_.window.back() * a);
+    SheetExperiment scout = calibrated(load, grid_levels(step, deepest), Model::sheet);
+    solve(scout);
+    const double bond_depth = depth_at_bond(scout.run, case_.window_bond_A).value_or(deepest);
+    const double end = std::min(case_.window.back() * a, bond_depth);
+    std::vector<double> levels = window_ends(scout.run, case_.window.front() * a, end, case_.radius_A);
+    if (case_.depth_max_A) return levels;
+    const double last = levels.empty() ? 0 : levels.back();
+    for (const double level : scout.run.conjugate_depth_A)
+      if (level > largest_depth_A(case_) && level < last) levels.push_back(level);
     return levels;
   }
 
   void compute_curves() {
-    MembraneThread membranes(membranes_);
+    continua_.start();
     if (!atoms_.empty()) compute_atoms();
-    outcome_.result.timing.membrane_s = membranes.join();
+    outcome_.result.timing.membrane_s = continua_.join();
     if (interrupted()) throw Error(ExitCode::interrupted, "interrupted");
   }
 
@@ -278,7 +281,7 @@ class Study {
   void finish() {
     Result& result = outcome_.result;
     for (AtomisticExperiment& e : atoms_) result.runs.push_back(std::move(e.run));
-    for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));
+    continua_.collect(result);
     for (Run& run : result.runs) fit_run(run);
     add_biases(result);
     add_direct_fits(result);
@@ -292,9 +295,10 @@ class Study {
   const StudyOptions& options_;
   Progress& progress_;
   std::optional<atomistic::Card> card_;
+  std::optional<CalibratedLaw> law_;
   std::optional<PairedSheet> pair_;
   std::vector<AtomisticExperiment> atoms_;
-  std::vector<MembraneExperiment> membranes_;
+  Continua continua_;
   std::map<std::string, double> done_;
   StudyOutcome outcome_;
 };

@@ -85,7 +85,7 @@ void add_potential(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("potential", "what a potential says of flat graphene: moduli, strength, bending");
   const auto options = std::make_shared<Options>();
   command->add_option("NAME", options->name, "name in inputs/potentials, or path to a TOML file")->required();
-  command->add_option("--out", options->out, "folder for card.json, stress-strain.csv, .svg and .png")->type_name("DIR");
+  command->add_option("--out", options->out, "folder for card.json, law.toml, stress-strain.csv, .svg, .png")->type_name("DIR");
   command->add_option("--json", options->json, "write the card there; - is stdout")->type_name("FILE");
   command->add_option("--switch-length", options->switch_length, "move the C-C switch of AIREBO or REBO there, Å")
       ->type_name("VALUE");

@@ -52,13 +52,16 @@ std::string folder_name(const Case& c) {
   return fmt::format("indentation-{}-R{:g}", potential, c.radius_A);
 }
 
-bool any_run_ended(const Result& result, Ended how) {
-  return std::any_of(result.runs.begin(), result.runs.end(), [&](const Run& run) { return run.ended == how; });
+/// A calibrated law may lose its stability before the atoms do: that ends its curve, and is no failure.
+bool any_solver_gave_up(const Result& result) {
+  return std::any_of(result.runs.begin(), result.runs.end(), [](const Run& run) {
+    return run.ended == Ended::not_converged && run.constants != Constants::calibrated;
+  });
 }
 
 ExitCode verdict(const StudyOutcome& outcome) {
   if (!outcome.failure.empty()) return outcome.failure_code;
-  if (any_run_ended(outcome.result, Ended::not_converged)) return ExitCode::not_converged;
+  if (any_solver_gave_up(outcome.result)) return ExitCode::not_converged;
   const auto& agreement = outcome.result.agreement;
   return agreement && !agreement->passed ? ExitCode::disagreement : ExitCode::success;
 }

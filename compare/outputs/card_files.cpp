@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "compare/calibration/states.hpp"
 #include "compare/errors.hpp"
 #include "compare/outputs/file.hpp"
 #include "compare/outputs/gnuplot.hpp"
+#include "compare/outputs/law_toml.hpp"
 #include "compare/provenance.hpp"
 #include "compare/units.hpp"
 
@@ -49,6 +52,49 @@ Json state_document(const atomistic::HomogeneousState& s) {
           {"longest_bond_A", s.longest_bond_A},
           {"shift_A", {s.shift_x_A, s.shift_y_A}},
           {"converged", s.converged}};
+}
+
+Json law_document(const CalibratedLaw& c) {
+  Json j{{"degree", c.degree}, {"terms", Json::array()}, {"states_fitted", 0}};
+  for (std::size_t k = 0; k < c.law.terms.size(); ++k) {
+    const auto& term = c.law.terms[k];
+    j["terms"].push_back({{"a", term.a},
+                          {"b", term.b},
+                          {"coefficient_eV_per_A2", term.coefficient_eV_per_A2},
+                          {"stderr_eV_per_A2", c.standard_errors_eV_per_A2[k]}});
+  }
+  j["states_fitted"] = std::ranges::count_if(c.states, &CalibratedState::fitted);
+  j["condition_number"] = c.condition_number;
+  j["rms_misfit"] = c.rms_misfit;
+  j["worst_misfit"] = c.worst_misfit;
+  j["anisotropy"] = c.anisotropy;
+  j["smallest_strain"] = c.smallest_strain;
+  j["longest_bond_A"] = longest_calibrated_bond_A;
+  j["convex"] = c.convexity.convex();
+  j["smallest_tangent_eV_per_A2"] = c.convexity.smallest_eigenvalue_eV_per_A2;
+  j["smallest_tangent_at"] = {c.convexity.E1, c.convexity.E2};
+  Json bond{{"rest_A", c.longest_bond.rest_A}, {"terms", Json::array()}};
+  for (const auto& term : c.longest_bond.terms)
+    bond["terms"].push_back({{"a", term.a}, {"b", term.b}, {"coefficient_A", term.coefficient_A}});
+  bond["worst_misfit_A"] = c.longest_bond.worst_misfit_A;
+  j["longest_bond"] = bond;
+  return j;
+}
+
+std::string law_lines(const PotentialCard& p) {
+  if (!p.law) return fmt::format("\nno calibrated law: {}\n", p.no_law);
+  const CalibratedLaw& c = *p.law;
+  std::string text = fmt::format(
+      "\ncalibrated law, degree {}: {} coefficients from {} states at 15° to zigzag, bonds up to {:.2f} Å\n", c.degree,
+      c.law.terms.size(), std::ranges::count_if(c.states, &CalibratedState::fitted), longest_calibrated_bond_A);
+  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:26}{}\n", name, value); };
+  line("stress misfit", fmt::format("{:.2f} % rms, {:.2f} % at worst", 100 * c.rms_misfit, 100 * c.worst_misfit));
+  line("anisotropy left out", fmt::format("up to {:.1f} % in stress along zigzag or armchair", 100 * c.anisotropy));
+  line("longest bond", fmt::format("from the strain within {:.4f} Å", c.longest_bond.worst_misfit_A));
+  line(c.convexity.convex() ? "convex in its range" : "NOT convex in its range",
+       fmt::format("smallest stiffness {:.3f} eV/Å² at E1 = {:.3f}, E2 = {:.3f}", c.convexity.smallest_eigenvalue_eV_per_A2,
+                   c.convexity.E1, c.convexity.E2));
+  return text;
 }
 
 std::string csv(const PotentialCard& card) {
@@ -139,6 +185,8 @@ nlohmann::ordered_json card_document(const PotentialCard& p) {
   for (const auto& c : p.response.curves) j["curves"].push_back(curve_document(c));
   j["states"] = Json::array();
   for (const auto& s : p.response.states) j["states"].push_back(state_document(s));
+  j["law"] = p.law ? law_document(*p.law) : Json(nullptr);
+  if (!p.law) j["law_missing"] = p.no_law;
   j["lammps"] = p.lammps;
   return j;
 }
@@ -164,12 +212,13 @@ std::string card_table(const PotentialCard& p) {
   text += "\n            secant modulus, N/m, at    strength   at strain  artefact from\n"
           "                 2 %     5 %    10 %      N/m\n";
   for (const auto& c : p.response.curves) text += curve_lines(c);
-  return text;
+  return text + law_lines(p);
 }
 
 std::optional<std::string> write_card_files(const PotentialCard& card, const std::filesystem::path& folder) {
   write_file(folder / "card.json", card_document(card).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_file(folder / "stress-strain.csv", csv(card));
+  if (card.law) write_file(folder / "law.toml", law_toml(card));
   return draw(card, folder);
 }
 

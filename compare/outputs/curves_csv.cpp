@@ -48,9 +48,10 @@ void columns_of(const Run& run, Emit&& emit) {
 // The columns of both models, each once.
 std::vector<Column> all_columns() {
   std::vector<Column> columns;
-  for (const Model model : {Model::membrane, Model::atomistic}) {
+  for (const Model model : {Model::membrane, Model::atomistic, Model::sheet}) {
     Run empty;
     empty.model = model;
+    if (model == Model::sheet) empty.constants = Constants::calibrated;
     columns_of(empty, [&](const Field& field, const auto&) {
       const std::string name = key(field);
       if (std::ranges::find(columns, name, &Column::key) != columns.end()) return;

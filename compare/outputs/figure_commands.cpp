@@ -78,7 +78,7 @@ void add_membrane(std::vector<Series>& all, const Run& run, const LoadStyle& sty
                  fmt::format("lines lc rgb '{}' lw 2 dt {}", style.colour, paper ? "'-'" : "1")});
 }
 
-void add_atoms(std::vector<Series>& all, const Run& run, const LoadStyle& style) {
+void add_atoms(std::vector<Series>& all, const Run& run, const LoadStyle& style, double artefact_bond_A) {
   const auto markers = [&](int type) {
     return fmt::format("points lc rgb '{}' pt {} ps 1", style.colour, type);
   };
@@ -147,7 +147,7 @@ std::vector<Series> all_series(const Result& result) {
   };
   std::vector<Series> all;
   for (const Run& run : result.runs) {
-    if (run.model == Model::atomistic) add_atoms(all, run, style(run));
+    if (run.model == Model::atomistic) add_atoms(all, run, style(run), artefact_bond_of(result));
   }
   for (const Run& run : result.runs) {
     if (run.model == Model::membrane) add_membrane(all, run, style(run));

@@ -107,6 +107,15 @@ void write_result(h5::Group& root, const Result& result) {
   } else {
     root.attribute("agreement_skipped", result.agreement_skipped);
   }
+  if (result.law) {
+    h5::Group law = write_group(root, "law", *result.law);
+    write_columns(law, *result.law);
+  }
+  h5::Group explanations = root.group("explanation");
+  for (std::size_t i = 0; i < result.explanations.size(); ++i) {
+    h5::Group one = write_group(explanations, fmt::format("{}", i), result.explanations[i]);
+    write_columns(one, result.explanations[i]);
+  }
   h5::Group comparisons = root.group("comparison");
   for (std::size_t i = 0; i < result.comparisons.size(); ++i) {
     h5::Group one = write_group(comparisons, fmt::format("{}", i), result.comparisons[i]);

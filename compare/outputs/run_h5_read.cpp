@@ -20,10 +20,10 @@ Enum enum_from(const std::string& text, std::initializer_list<Enum> values) {
 }
 
 void from_text(const std::string& text, Model& value) {
-  value = enum_from(text, {Model::membrane, Model::atomistic});
+  value = enum_from(text, {Model::membrane, Model::atomistic, Model::sheet});
 }
 void from_text(const std::string& text, Constants& value) {
-  value = enum_from(text, {Constants::card, Constants::paper, Constants::given, Constants::none});
+  value = enum_from(text, {Constants::card, Constants::paper, Constants::given, Constants::calibrated, Constants::none});
 }
 void from_text(const std::string& text, Ended& value) {
   value = enum_from(text, {Ended::depth_max, Ended::artefact, Ended::rupture, Ended::not_converged});
@@ -102,6 +102,7 @@ Fit read_fit(const h5::ReadGroup& group) {
 Run read_run(const h5::ReadGroup& group) {
   Run run;
   if (group.has_attribute("constants")) run.constants = Constants::given;  // so that describe() visits it
+  if (group.has_attribute("model")) from_text(group.text("model"), run.model);
   describe(run, AttributesInto(group));
   read_columns(group, run);
   if (const auto fit = group.group("fit")) run.fit = read_fit(*fit);
@@ -121,6 +122,15 @@ Result read_result(const h5::ReadGroup& root) {
   read_optional(root, "agreement", result.agreement);
   if (result.agreement) read_columns(*root.group("agreement"), *result.agreement);
   if (root.has_attribute("agreement_skipped")) result.agreement_skipped = root.text("agreement_skipped");
+  if (const auto law = root.group("law")) {
+    describe(result.law.emplace(), AttributesInto(*law));
+    read_columns(*law, *result.law);
+  }
+  if (const auto all = root.group("explanation"))
+    for (int i = 0; const auto one = all->group(std::to_string(i)); ++i) {
+      describe(result.explanations.emplace_back(), AttributesInto(*one));
+      read_columns(*one, result.explanations.back());
+    }
   if (const auto all = root.group("comparison")) {
     for (int i = 0; const auto one = all->group(std::to_string(i)); ++i) {
       Comparison& comparison = result.comparisons.emplace_back();

@@ -112,6 +112,12 @@ nlohmann::ordered_json summary_document(const Result& result) {
   document["case"] = case_document(result.resolved);
   document["sheet"] = object_of(result.sheet);
   document["card"] = object_of(result.card);
+  if (result.law) {
+    document["law"] = object_of(*result.law);
+    describe_points(*result.law, AddTo(document["law"]));
+  } else {
+    document["law"] = nullptr;
+  }
   document["runs"] = Json::array();
   for (const Run& run : result.runs) document["runs"].push_back(run_object(run));
   document["agreement"] = result.agreement ? agreement_object(*result.agreement) : Json(nullptr);
@@ -120,6 +126,11 @@ nlohmann::ordered_json summary_document(const Result& result) {
   for (const Comparison& comparison : result.comparisons) {
     document["comparison"].push_back(object_of(comparison));
     describe_points(comparison, AddTo(document["comparison"].back()));
+  }
+  document["explanation"] = Json::array();
+  for (const Explanation& explanation : result.explanations) {
+    document["explanation"].push_back(object_of(explanation));
+    describe_points(explanation, AddTo(document["explanation"].back()));
   }
   if (!result.unloading.empty()) {
     document["unloading"] = Json::array();

@@ -122,12 +122,12 @@ void add_corrections(std::string& text, const std::vector<Run>& runs) {
   text += '\n';
 }
 
-void add_notes(std::string& text, const Run& run) {
+void add_notes(std::string& text, const Result& result, const Run& run) {
   const auto artefacts = std::ranges::count(run.artefact, true);
   if (artefacts > 0) {
     sentence(text,
              "{}: {} {} with a bond ≥ {:.2f} Å (artefact zone, from {:.4g} Å on) left out of fit and verdict",
-             name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_A,
+             name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_of(result),
              run.depth_A[*first_artefact(run)]);
   }
   if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
@@ -212,7 +212,7 @@ std::string table(const Result& result, bool colour) {
   text += '\n';
   add_corrections(text, result.runs);
   const std::size_t before_notes = text.size();
-  for (const Run& run : result.runs) add_notes(text, run);
+  for (const Run& run : result.runs) add_notes(text, result, run);
   if (text.size() > before_notes) text += '\n';
   add_regimes(text, result);
   add_verdict(text, result, colour);

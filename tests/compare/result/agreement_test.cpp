@@ -38,10 +38,29 @@ Run atoms(const std::vector<double>& depths, const std::vector<double>& ratios) 
   return run;
 }
 
+/// Judged against the membrane over 0.10 … 0.15, within 6 %.
 Result result_with(const Run& atomistic) {
   Result result;
+  result.resolved.against = "membrane";
+  result.resolved.window = {0.10, 0.15};
+  result.resolved.tolerance = 0.06;
   result.runs = {atomistic, membrane()};
   return result;
+}
+
+/// Judged as by default, against the calibrated sheet.
+Result result_with_sheet(const Run& atomistic) {
+  Result result;
+  result.runs = {atomistic, membrane()};
+  result.runs.push_back(membrane());
+  result.runs.back().model = Model::sheet;
+  result.runs.back().constants = Constants::calibrated;
+  return result;
+}
+
+Run with_bonds(compare::Run run, const std::vector<double>& bonds) {
+  run.longest_bond_A = bonds;
+  return run;
 }
 
 TEST(Agreement, JudgesTheWindowAndTheDepthsThatBracketIt) {
@@ -131,6 +150,68 @@ TEST(Agreement, AMembraneThatDoesNotCoverTheDepthsGivesNoVerdict) {
   EXPECT_EQ(reason_for(result), "there is no membrane (card constants) run of the disc load");
 }
 
+TEST(Agreement, TheSheetsWindowEndsWhereTheBondIsTooLong) {
+  // Below 0.03 and from 1.65 Å on nothing is judged.
+  compare::Run run = with_bonds(atoms({2, 3, 10, 20, 22, 24}, {2, 1.004, 0.995, 1.002, 1.003, 2}),
+                                {1.40, 1.41, 1.45, 1.55, 1.60, 1.70});
+  run.ended = Ended::artefact;
+  run.artefact.back() = true;
+  Result result = result_with_sheet(run);
+  judge(result);
+  ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+  EXPECT_EQ(result.agreement->against, "sheet");
+  EXPECT_EQ(result.agreement->depth_A, (std::vector{3.0, 10.0, 20.0, 22.0}));
+  EXPECT_NEAR(result.agreement->window[1], 0.23, 1e-12);  // halfway between 1.60 and 1.70
+  EXPECT_NEAR(result.agreement->max_relative_difference, 0.005, 1e-9);
+  EXPECT_TRUE(result.agreement->passed);
+}
+
+TEST(Agreement, APathToItsLargestDepthIsJudgedToThere) {
+  compare::Run run = with_bonds(atoms({2.9, 10, 20}, {1, 1, 1.02}), {1.40, 1.45, 1.50});
+  run.ended = Ended::depth_max;
+  Result result = result_with_sheet(run);
+  judge(result);
+  ASSERT_TRUE(result.agreement) << result.agreement_skipped;
+  EXPECT_NEAR(result.agreement->window[1], 0.20, 1e-12);
+  EXPECT_FALSE(result.agreement->passed);
+
+  result.runs[0].ended = Ended::rupture;
+  judge(result);
+  EXPECT_EQ(result.agreement_skipped, "the atoms' curve ends at depth/a = 0.200 (rupture), the window at 0.500");
+}
+
+TEST(Agreement, WithoutACalibratedLawTheReasonIsTold) {
+  Result result = result_with_sheet(atoms({3, 10, 20}, {1, 1, 1}));
+  result.runs.pop_back();
+  result.law_missing = "12 values do not determine 33 coefficients";
+  judge(result);
+  EXPECT_EQ(result.agreement_skipped,
+            "there is no sheet (calibrated law) run of the disc load: 12 values do not determine 33 coefficients");
+}
+
+TEST(Agreement, DepthAtABondIsInterpolated) {
+  const compare::Run run = with_bonds(atoms({1, 2, 3}, {1, 1, 1}), {1.40, 1.50, 1.70});
+  EXPECT_NEAR(*depth_at_bond(run, 1.55), 2.25, 1e-12);
+  EXPECT_EQ(depth_at_bond(run, 1.80), std::nullopt);
+  EXPECT_EQ(depth_at_bond(atoms({1, 2}, {1, 1}), 1.5), std::nullopt);
+}
+
+TEST(Comparison, HoldsTheCalibratedContinuaBesideTheMembrane) {
+  compare::Run run = with_bonds(atoms({5, 15}, {1.2, 0.9}), {1.4, 1.5});
+  run.energy_eV = {1, 1};
+  Result result = result_with_sheet(run);
+  for (compare::Run& r : result.runs) r.energy_eV.assign(r.depth_A.size(), 1);
+  for (double& f : result.runs[2].force_eV_per_A) f *= 1.2;
+  compare::Run& sheet = result.runs[2];
+  for (const double d : sheet.depth_A) sheet.longest_bond_A.push_back(1.40 + 0.02 * d);
+  compare_curves(result);
+  ASSERT_EQ(result.comparisons.size(), 1u);
+  EXPECT_NEAR(result.comparisons[0].sheet_ratio[0], 1.0, 1e-9);
+  EXPECT_NEAR(result.comparisons[0].sheet_ratio[1], 0.75, 1e-9);
+  EXPECT_TRUE(std::isnan(result.comparisons[0].calibrated_membrane_ratio[0]));
+  EXPECT_NEAR(result.comparisons[0].predicted_artefact_from_A, 15, 1e-9);  // 1.70 Å
+}
+
 TEST(Comparison, GivesRatiosAndRegimesPerDepth) {
   compare::Run stiff = atoms({5, 10, 15, 20, 25}, {1.30, 1.10, 1.00, 0.90, 0.80});
   stiff.artefact.back() = true;
@@ -139,7 +220,7 @@ TEST(Comparison, GivesRatiosAndRegimesPerDepth) {
   for (const double d : twin.depth_A) twin.energy_eV.push_back(std::pow(d, 4));
   Result result;
   result.runs = {stiff, twin};
-  result.resolved.tolerance = 0.06;
+  result.resolved.regime_tolerance = 0.06;
   compare_curves(result);
   ASSERT_EQ(result.comparisons.size(), 1u);
   const Comparison& c = result.comparisons.front();

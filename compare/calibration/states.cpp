@@ -1,0 +1,27 @@
+#include "compare/calibration/states.hpp"
+
+namespace compare {
+
+std::vector<atomistic::StrainState> calibration_strains(double bond_A) {
+  // Denser at small strain, where most of an indented sheet is.
+  constexpr double shares[] = {0.055, 0.13, 0.24, 0.4, 0.56, 0.72, 0.86, 1};
+  const double largest = longest_calibrated_bond_A / bond_A - 1;
+  std::vector<double> strains;  // Green–Lagrange
+  const auto add = [&](double stretch) { strains.push_back((stretch * stretch - 1) / 2); };
+  for (const double stretch : {0.97, 0.985, 1.0}) add(stretch);
+  for (const double share : shares) add(1 + share * largest);
+
+  std::vector<atomistic::StrainState> states;
+  for (const double one : strains) {
+    for (const double two : strains) {
+      if (one < two) continue;
+      states.push_back({one, two, 0, averaged_deg});
+      if (one == two) continue;
+      states.push_back({one, two, 0, zigzag_deg});
+      states.push_back({one, two, 0, armchair_deg});
+    }
+  }
+  return states;
+}
+
+}  // namespace compare

@@ -1,0 +1,109 @@
+#include "compare/continua.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "compare/curves.hpp"
+#include "compare/explanation.hpp"
+#include "compare/interrupt.hpp"
+
+namespace compare {
+namespace {
+
+namespace axi = membrane::axisymmetric;
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+const Run* atoms_of(const Result& result, const std::string& load) {
+  const auto found = std::ranges::find_if(
+      result.runs, [&](const Run& run) { return run.model == Model::atomistic && run.load == load; });
+  return found == result.runs.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void solve(MembraneExperiment& e) {
+  const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
+    append(e.run, step);
+    return !interrupted();
+  });
+  close(e.run, report);
+}
+
+void solve(SheetExperiment& e) {
+  bool left_the_law = false;
+  const axi::SheetReport report = axi::solve(e.problem, [&](const axi::SheetStep& step) {
+    append(e.run, step, e.longest_bond, e.stretch);
+    left_the_law = e.longest_bond && e.run.longest_bond_A.back() >= e.last_bond_A;
+    return !left_the_law && !interrupted();
+  });
+  close(e.run, report);
+  if (!left_the_law) return;
+  e.run.ended = Ended::artefact;
+  e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", e.run.longest_bond_A.back());
+}
+
+void Continua::add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet) {
+  calibrated_.push_back({std::move(stages), std::move(membrane), std::move(sheet)});
+}
+
+void Continua::start() {
+  thread_ = std::thread([this] {
+    const double begin = seconds();
+    try {
+      solve_all();
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+    elapsed_s_ = seconds() - begin;
+  });
+}
+
+void Continua::solve_all() {
+  for (MembraneExperiment& e : membranes_)
+    if (!interrupted()) solve(e);
+  for (Calibrated& c : calibrated_) {
+    for (SheetExperiment* e : {&c.sheet, &c.membrane, &c.stages[0], &c.stages[1], &c.stages[2]})
+      if (!interrupted()) solve(*e);
+  }
+}
+
+double Continua::join() {
+  thread_.join();
+  if (failure_) std::rethrow_exception(failure_);
+  return elapsed_s_;
+}
+
+void Continua::collect(Result& result) {
+  for (const Calibrated& c : calibrated_) {
+    const Run* atoms = atoms_of(result, c.sheet.run.load);
+    if (!atoms) continue;
+    auto explanation = explain(*atoms, {&c.stages[0].run, &c.stages[1].run, &c.stages[2].run, &c.sheet.run});
+    if (explanation) result.explanations.push_back(std::move(*explanation));
+  }
+  for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));
+  for (Calibrated& c : calibrated_) {
+    result.runs.push_back(std::move(c.membrane.run));
+    result.runs.push_back(std::move(c.sheet.run));
+  }
+}
+
+std::vector<double> finer_and_further(const std::vector<double>& levels) {
+  std::vector<double> finer;
+  double before = 0;
+  for (const double level : levels) {
+    finer.push_back((before + level) / 2);
+    finer.push_back(level);
+    before = level;
+  }
+  constexpr double further = 1.02;
+  if (!levels.empty()) finer.push_back(further * levels.back());
+  return finer;
+}
+
+}  // namespace compare

@@ -1,0 +1,59 @@
+// The continuum curves of a study, solved in a thread of their own while the atoms run.
+#pragma once
+
+#include <array>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "compare/pairing.hpp"
+#include "compare/result.hpp"
+
+namespace compare {
+
+/// Solves a curve as far as it goes, or until an interrupt.
+void solve(MembraneExperiment& experiment);
+
+/// The same in one dimension. A law that knows its longest bond ends where the potential's artefact zone is well entered:
+/// beyond, it stands for nothing.
+void solve(SheetExperiment& experiment);
+
+class Continua {
+ public:
+  Continua() = default;
+  ~Continua() { if (thread_.joinable()) thread_.join(); }
+  Continua(const Continua&) = delete;
+  Continua& operator=(const Continua&) = delete;
+
+  void add(MembraneExperiment experiment) { membranes_.push_back(std::move(experiment)); }
+  /// Curves of the result, and the last of them on the way of the explanation.
+  void add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet);
+
+  void start();
+  /// Waits; the seconds it took. What was thrown comes out here.
+  double join();
+
+  /// Hands the curves over to the result, and what the atoms' curves there are made of.
+  void collect(Result& result);
+
+ private:
+  struct Calibrated {
+    std::array<SheetExperiment, 3> stages;
+    SheetExperiment membrane, sheet;
+  };
+
+  void solve_all();
+
+  std::vector<MembraneExperiment> membranes_;
+  std::vector<Calibrated> calibrated_;
+  std::exception_ptr failure_;
+  double elapsed_s_ = 0;
+  std::thread thread_;
+};
+
+/// Controlled levels with one more between each two, before the first and a little beyond the last: curves that are cheap
+/// are known better, and cover the atoms' depths although a level's depth of record is not the same in both.
+std::vector<double> finer_and_further(const std::vector<double>& levels);
+
+}  // namespace compare

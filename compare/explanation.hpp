@@ -1,0 +1,18 @@
+// What the plain membrane lacks to be the atoms, piece by piece.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "compare/result.hpp"
+
+namespace compare {
+
+/// The continua between the plain membrane and the atoms, each with one piece of physics more than the one before: nominal
+/// radii, paired radii, bending, the potential's own law.
+using Stages = std::array<const Run*, 4>;
+
+/// At every converged depth of the atoms outside the artefact zone that all stages cover; nothing where there is none.
+std::optional<Explanation> explain(const Run& atoms, const Stages& stages);
+
+}  // namespace compare

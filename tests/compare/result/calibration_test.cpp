@@ -1,0 +1,121 @@
+#include "compare/calibration/calibrated_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "compare/calibration/linear_fit.hpp"
+#include "compare/calibration/states.hpp"
+
+namespace compare {
+namespace {
+
+constexpr double bond_A = 1.42;
+
+atomistic::Card card() {
+  atomistic::Card c;
+  c.a0_A = bond_A * std::numbers::sqrt3;
+  c.C11_eV_per_A2 = 20;
+  c.C12_eV_per_A2 = 5;
+  c.C66_eV_per_A2 = 7.5;
+  return c;
+}
+
+/// What a lattice would answer whose energy is ¼ (C11 + C12) I² + (C11 − C12) q² + c3 I³ + c q³ − d I² q², written out by
+/// hand, with a bond along the larger strain.
+atomistic::HomogeneousState answer(const atomistic::StrainState& strain) {
+  const double I = strain.E11 + strain.E22, q = (strain.E11 - strain.E22) / 2;
+  const double W_I = 0.5 * 25 * I - 3 * 11 * I * I - 2 * 40 * I * q * q;
+  const double W_q = 2 * 15 * q - 3 * 17 * q * q - 2 * 40 * I * I * q;
+  atomistic::HomogeneousState s;
+  s.strain = strain;
+  s.S11_eV_per_A2 = W_I + W_q / 2;
+  s.S22_eV_per_A2 = W_I - W_q / 2;
+  s.longest_bond_A = bond_A * (1 + 0.5 * I + 0.6 * q - 0.4 * I * q);
+  s.converged = true;
+  return s;
+}
+
+std::vector<atomistic::HomogeneousState> answers() {
+  std::vector<atomistic::HomogeneousState> states;
+  for (const atomistic::StrainState& strain : calibration_strains(bond_A)) states.push_back(answer(strain));
+  return states;
+}
+
+TEST(LinearFit, IsTheWeightedLineOfTheNormalEquations) {
+  Eigen::MatrixXd X(4, 2);
+  X << 1, 0, 1, 1, 1, 2, 1, 4;
+  const Eigen::Vector4d y(1, 2.5, 2, 6), w(1, 2, 0.5, 4);
+  const Eigen::MatrixXd normal = X.transpose() * w.asDiagonal() * X;
+  const Eigen::VectorXd expected = normal.inverse() * (X.transpose() * w.asDiagonal() * y);
+  const LinearFit fit = linear_fit(X, y, w);
+  EXPECT_LT((fit.coefficients - expected).norm(), 1e-12);
+  const Eigen::VectorXd r = y - X * expected;
+  const double scatter = r.dot(w.asDiagonal() * r) / 2;
+  EXPECT_NEAR(fit.standard_errors[1], std::sqrt(scatter * normal.inverse()(1, 1)), 1e-12);
+}
+
+TEST(LinearFit, RefusesWhatDoesNotDetermineIt) {
+  EXPECT_THROW(linear_fit(Eigen::MatrixXd::Ones(2, 2), Eigen::Vector2d::Ones(), Eigen::Vector2d::Ones()),
+               std::invalid_argument);
+  EXPECT_THROW(linear_fit(Eigen::MatrixXd::Ones(4, 2), Eigen::Vector4d::Ones(), Eigen::Vector4d::Ones()),
+               std::invalid_argument);
+}
+
+TEST(Calibration, StatesCoverTheRangeAtThreeAngles) {
+  const auto strains = calibration_strains(bond_A);
+  EXPECT_EQ(strains.size(), 176u);
+  double largest = 0;
+  for (const auto& s : strains) largest = std::max(largest, s.E11);
+  EXPECT_NEAR(std::sqrt(1 + 2 * largest) * bond_A, longest_calibrated_bond_A, 1e-12);
+}
+
+TEST(Calibration, FindsTheCoefficientsOfAPolynomialSheet) {
+  const CalibratedLaw found = calibrate(card(), answers());
+  EXPECT_EQ(found.law.terms.size(), 33u);  // 3 + 4 + … + 8
+  EXPECT_NEAR(found.law.sheet_modulus_eV_per_A2, 20 - 25.0 / 20, 1e-12);
+  for (const auto& [a, b, c] : found.law.terms) {
+    double expected = 0;
+    if (a == 3 && b == 0) expected = -11;
+    if (a == 0 && b == 3) expected = -17;
+    if (a == 2 && b == 2) expected = -40;
+    EXPECT_NEAR(c, expected, 1e-5) << a << ' ' << b;
+  }
+  EXPECT_LT(found.worst_misfit, 1e-10);
+  EXPECT_LT(found.anisotropy, 1e-12);
+}
+
+TEST(Calibration, LongestBondFollowsFromTheStrain) {
+  const CalibratedLaw found = calibrate(card(), answers());
+  EXPECT_LT(found.longest_bond.worst_misfit_A, 1e-10);
+  EXPECT_NEAR(found.longest_bond(0.03, 0.11), answer({0.11, 0.03, 0, 0}).longest_bond_A, 1e-9);
+  EXPECT_TRUE(found.within(0.05, -0.02));
+  EXPECT_FALSE(found.within(0.05, -0.05));
+  EXPECT_FALSE(found.within(0.4, 0.4));
+}
+
+TEST(Calibration, TellsWhereTheLawIsNotConvex) {
+  EXPECT_TRUE(calibrate(card(), answers()).convexity.convex());
+  std::vector<atomistic::HomogeneousState> softened = answers();
+  for (auto& s : softened) {
+    const double I = s.strain.E11 + s.strain.E22;
+    s.S11_eV_per_A2 -= 60 * I * I;
+    s.S22_eV_per_A2 -= 60 * I * I;
+  }
+  const Convexity convexity = calibrate(card(), softened).convexity;
+  EXPECT_FALSE(convexity.convex());
+  EXPECT_GT(convexity.E1 + convexity.E2, 0.05);
+}
+
+TEST(Calibration, RefusesTooFewStates) {
+  std::vector<atomistic::HomogeneousState> few = answers();
+  for (std::size_t i = 16; i < few.size(); ++i) few[i].converged = false;
+  EXPECT_THROW(calibrate(card(), few), std::invalid_argument);
+  EXPECT_NO_THROW(calibrate(card(), answers(), 5));
+}
+
+}  // namespace
+}  // namespace compare

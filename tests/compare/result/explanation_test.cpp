@@ -1,0 +1,46 @@
+#include "compare/explanation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace compare {
+namespace {
+
+Run cubic(double stiffness, const std::vector<double>& depths) {
+  Run run;
+  run.load = "disc";
+  run.a_A = 100;
+  for (const double d : depths) {
+    run.depth_A.push_back(d);
+    run.force_eV_per_A.push_back(stiffness * d * d * d);
+    run.converged.push_back(true);
+  }
+  return run;
+}
+
+TEST(Explanation, SharesAddUpToTheWholeDifference) {
+  const std::vector<double> grid = {1, 4, 9, 16, 25};
+  const Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid), law = cubic(1.1, grid);
+  Run atoms = cubic(1.15, {2, 8, 20, 30});
+  atoms.artefact = {false, false, true, false};
+  const auto found = explain(atoms, {&plain, &paired, &bending, &law});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->depth_A, (std::vector{2.0, 8.0}));  // 20 is an artefact, 30 beyond the continua
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(found->geometry[i], -0.02, 1e-12);
+    EXPECT_NEAR(found->bending[i], 0.22, 1e-12);
+    EXPECT_NEAR(found->large_strain[i], -0.10, 1e-12);
+    EXPECT_NEAR(found->remainder[i], 0.05, 1e-12);
+    EXPECT_NEAR(found->plain_force_eV_per_A[i], std::pow(found->depth_A[i], 3), 1e-9);
+  }
+}
+
+TEST(Explanation, NeedsEveryStage) {
+  const Run curve = cubic(1, {1, 5, 9}), nothing = cubic(1, {});
+  EXPECT_FALSE(explain(curve, {&curve, &curve, &nothing, &curve}));
+  EXPECT_TRUE(explain(curve, {&curve, &curve, &curve, &curve}));
+}
+
+}  // namespace
+}  // namespace compare
