@@ -38,6 +38,7 @@ void solve(MembraneExperiment& e) {
 void solve(SheetExperiment& e) {
   bool left_the_law = false;
   const axi::SheetReport report = axi::solve(e.problem, [&](const axi::SheetStep& step) {
+    if (!step.converged) return false;
     append(e.run, step, e.longest_bond, e.stretch);
     left_the_law = e.longest_bond && e.run.longest_bond_A.back() >= e.last_bond_A;
     return !left_the_law && !interrupted();
@@ -93,16 +94,21 @@ void Continua::collect(Result& result) {
   }
 }
 
-std::vector<double> finer_and_further(const std::vector<double>& levels) {
+std::vector<double> enclosing(const std::vector<double>& levels) {
+  constexpr double before = 0.5, beyond = 1.02;
+  if (levels.empty()) return levels;
+  std::vector<double> more = {before * levels.front()};
+  more.insert(more.end(), levels.begin(), levels.end());
+  more.push_back(beyond * levels.back());
+  return more;
+}
+
+std::vector<double> with_halves(const std::vector<double>& levels) {
   std::vector<double> finer;
-  double before = 0;
   for (const double level : levels) {
-    finer.push_back((before + level) / 2);
+    if (!finer.empty()) finer.push_back((finer.back() + level) / 2);
     finer.push_back(level);
-    before = level;
   }
-  constexpr double further = 1.02;
-  if (!levels.empty()) finer.push_back(further * levels.back());
   return finer;
 }
 

@@ -52,8 +52,11 @@ class Continua {
   std::thread thread_;
 };
 
-/// Controlled levels with one more between each two, before the first and a little beyond the last: curves that are cheap
-/// are known better, and cover the atoms' depths although a level's depth of record is not the same in both.
-std::vector<double> finer_and_further(const std::vector<double>& levels);
+/// Controlled levels with one more before the first and one a little beyond the last: a continuum then covers the atoms'
+/// depths, although a level's depth of record is not the same in both.
+std::vector<double> enclosing(const std::vector<double>& levels);
+
+/// The same with one more between each two: curves that are cheap are known better.
+std::vector<double> with_halves(const std::vector<double>& levels);
 
 }  // namespace compare

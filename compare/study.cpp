@@ -61,10 +61,13 @@ std::vector<double> grid_levels(double step, double deepest) {
   return levels;
 }
 
-/// Controlled depths at which a curve's depth of record is just below lo and just above hi, as far as it reaches. The
-/// margin is for what makes the atoms' ratio of the two depths another one: bending, by 0.2 % at 110 Å and 1.4 % at 30 Å.
+/// For what makes the atoms' ratio of controlled depth and depth of record another one than a membrane's: bending, by 0.2 %
+/// at 110 Å and 1.4 % at 30 Å.
+double window_margin(double radius_A) { return 0.005 + 0.6 / radius_A; }
+
+/// Controlled depths at which a curve's depth of record is just below lo and just above hi, as far as it reaches.
 std::vector<double> window_ends(const Run& scout, double lo_A, double hi_A, double radius_A) {
-  const double margin = 0.005 + 0.6 / radius_A;
+  const double margin = window_margin(radius_A);
   std::vector<double> levels;
   if (scout.depth_A.size() < 2) return levels;
   const Curve controlled(scout.depth_A, scout.conjugate_depth_A);
@@ -153,10 +156,11 @@ class Study {
   }
 
   void add_continua(const std::string& load, const std::vector<double>& levels) {
-    continua_.add(card_membrane(case_, *card_, *pair_, load, levels));
+    const bool depths = case_.forces_eV_per_A.empty();
+    continua_.add(card_membrane(case_, *card_, *pair_, load, depths ? enclosing(levels) : levels));
     continua_.add(paper_membrane(case_, load, levels_of(case_)));
     if (!law_) return;
-    const std::vector<double> finer = case_.forces_eV_per_A.empty() ? finer_and_further(levels) : levels;
+    const std::vector<double> finer = depths ? with_halves(enclosing(levels)) : levels;
     continua_.add_calibrated(plain_experiments(case_, *card_, *pair_, load, finer),
                              calibrated(load, finer, Model::membrane), calibrated(load, finer, Model::sheet));
   }
@@ -171,24 +175,28 @@ class Study {
   std::vector<double> window_levels(const std::string& load) const {
     if (load != case_.judged_load || case_.models != "both" || !case_.forces_eV_per_A.empty()) return {};
     if (case_.against == "sheet") return law_ ? sheet_window_levels(load) : std::vector<double>();
-    MembraneExperiment scout = card_membrane(case_, *card_, *pair_, load, levels_of(case_));
+    const double a = pair_->effective_radius_A(), shallow = 0.5 * case_.window.front() * a;
+    MembraneExperiment scout = card_membrane(case_, *card_, *pair_, load, merged(levels_of(case_), {shallow}));
     solve(scout);
-    const double a = pair_->effective_radius_A();
     return window_ends(scout.run, case_.window.front() * a, case_.window.back() * a, case_.radius_A);
   }
 
   std::vector<double> sheet_window_levels(const std::string& load) const {
     const double step = depth_step_A(case_), a = pair_->effective_radius_A();
-    const double deepest = case_.depth_max_A.value_or(case_.window.back() * a);
-    SheetExperiment scout = calibrated(load, grid_levels(step, deepest), Model::sheet);
+    const double deepest = case_.depth_max_A.value_or(case_.window.back() * a), shallow = 0.5 * case_.window.front() * a;
+    // Finer than the atoms' steps: near its end a sheet tears within a step.
+    constexpr double parts = 4, margin_A = 0.015;  // the latter of the predicted bond, on the smallest sheets
+    SheetExperiment scout = calibrated(load, merged(grid_levels(step / parts, deepest), {shallow}), Model::sheet);
     solve(scout);
-    const double bond_depth = depth_at_bond(scout.run, case_.window_bond_A).value_or(deepest);
-    const double end = std::min(case_.window.back() * a, bond_depth);
+    if (scout.run.depth_A.size() < 2) return {};
+    const double torn = scout.run.depth_A.back() / (1 + 2 * window_margin(case_.radius_A));
+    const double end = std::min(
+        {case_.window.back() * a, torn, depth_at_bond(scout.run, case_.window_bond_A + margin_A).value_or(torn)});
     std::vector<double> levels = window_ends(scout.run, case_.window.front() * a, end, case_.radius_A);
     if (case_.depth_max_A) return levels;
     const double last = levels.empty() ? 0 : levels.back();
-    for (const double level : scout.run.conjugate_depth_A)
-      if (level > largest_depth_A(case_) && level < last) levels.push_back(level);
+    for (const double level : grid_levels(step, last))
+      if (level > largest_depth_A(case_)) levels.push_back(level);
     return levels;
   }
 

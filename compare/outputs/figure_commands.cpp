@@ -70,12 +70,16 @@ Points artefact_points(const Run& run) {
   return points;
 }
 
-void add_membrane(std::vector<Series>& all, const Run& run, const LoadStyle& style) {
+// The sheet solid, membranes thin: dash-dotted, dashed with the paper's constants. A calibrated membrane is in the ratios.
+void add_continuum(std::vector<Series>& all, const Run& run, const LoadStyle& style) {
   if (usable_points(run).size() < 2) return;
-  const bool paper = run.constants == Constants::paper;
+  const bool sheet = run.model == Model::sheet, paper = run.constants == Constants::paper;
+  if (!sheet && run.constants == Constants::calibrated) return;
   all.push_back({smooth_curve(run),
-                 fmt::format("membrane, {}, {} constants", run.load, to_string(run.constants)),
-                 fmt::format("lines lc rgb '{}' lw 2 dt {}", style.colour, paper ? "'-'" : "1")});
+                 sheet ? fmt::format("sheet, {}, calibrated law with bending", run.load)
+                       : fmt::format("membrane, {}, {} constants", run.load, to_string(run.constants)),
+                 fmt::format("lines lc rgb '{}' lw {} dt {}", style.colour, sheet ? 2.6 : 1.3,
+                             paper ? "'-'" : sheet ? "1" : "'_.'")});
 }
 
 void add_atoms(std::vector<Series>& all, const Run& run, const LoadStyle& style, double artefact_bond_A) {
@@ -150,7 +154,7 @@ std::vector<Series> all_series(const Result& result) {
     if (run.model == Model::atomistic) add_atoms(all, run, style(run), artefact_bond_of(result));
   }
   for (const Run& run : result.runs) {
-    if (run.model == Model::membrane) add_membrane(all, run, style(run));
+    if (run.model != Model::atomistic) add_continuum(all, run, style(run));
   }
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -16,26 +17,36 @@ constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7"};
 
 std::string block(std::size_t index, const Comparison& c) {
   std::string text = fmt::format("$ratio{} << EOD\n", index);
-  for (std::size_t i = 0; i < c.depth_A.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", c.depth_relative[i], c.force_ratio[i],
-                   c.energy_ratio[i], c.regime[i] == Regime::artefact ? 1 : 0);
+  for (std::size_t i = 0; i < c.depth_A.size(); ++i) {
+    const auto cell = [&](const std::vector<double>& values) {
+      return i < values.size() && std::isfinite(values[i]) ? fmt::format("{}", values[i]) : std::string("NaN");
+    };
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", c.depth_relative[i], cell(c.force_ratio),
+                   cell(c.calibrated_membrane_ratio), cell(c.sheet_ratio), c.regime[i] == Regime::artefact ? 1 : 0);
+  }
   return text + "EOD\n";
+}
+
+/// Points filled outside the artefact zone, open inside, joined by a line.
+std::string curve(std::size_t index, int column, const char* colour, const char* dash, const std::string& title) {
+  return fmt::format(
+      "$ratio{0} using 1:{1} with lines lc rgb '{2}' lw 1.6 dt {3} notitle, \\\n"
+      "     $ratio{0} using 1:($5 == 1 ? ${1} : NaN) with points pt 6 ps 0.8 lc rgb '{2}' notitle, \\\n"
+      "     $ratio{0} using 1:($5 == 0 ? ${1} : NaN) with linespoints pt 7 ps 0.7 lc rgb '{2}' lw 1.6 dt {3} title {4}",
+      index, column, colour, dash, gnuplot_quoted(title));
+}
+
+bool any_known(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
 
 std::string curves(std::size_t index, const Comparison& c) {
   const char* const colour = colours[index % colours.size()];
-  const std::string artefact =
-      std::isfinite(c.artefact_from_A)
-          ? fmt::format(
-                "     $ratio{} using 1:($4 == 1 ? $2 : NaN) with points pt 6 ps 0.8 lc rgb '{}' title {}, "
-                "\\\n",
-                index, colour, gnuplot_quoted("force, " + c.load + ", artefact zone"))
-          : "";
-  return fmt::format(
-      "$ratio{0} using 1:2 with lines lc rgb '{1}' lw 1.5 notitle, \\\n"
-      "     $ratio{0} using 1:($4 == 0 ? $2 : NaN) with points pt 7 ps 0.8 lc rgb '{1}' title {2}, \\\n{3}"
-      "     $ratio{0} using 1:3 with lines lc rgb '{1}' lw 1.2 dt '-' title {4}",
-      index, colour, gnuplot_quoted("force, " + c.load), artefact, gnuplot_quoted("energy, " + c.load));
+  std::string text = curve(index, 2, colour, "'_.'", c.load + ", membrane, card constants");
+  if (any_known(c.calibrated_membrane_ratio))
+    text += ", \\\n     " + curve(index, 3, colour, "'.'", c.load + ", membrane, calibrated law");
+  if (any_known(c.sheet_ratio)) text += ", \\\n     " + curve(index, 4, colour, "1", c.load + ", sheet, calibrated law");
+  return text;
 }
 
 }  // namespace
@@ -49,6 +60,7 @@ std::string ratio_commands(const Result& result) {
   }
   if (plot.empty()) return {};
   const Case& c = result.resolved;
+  const auto judged = result.agreement ? result.agreement->window : std::array{c.window.at(0), c.window.at(1)};
   return text +
          fmt::format(
              "set object rectangle from graph 0,first {0} to graph 1,first {1} fc rgb '#009E73' fs solid "
@@ -56,11 +68,11 @@ std::string ratio_commands(const Result& result) {
              "noborder behind\n"
              "set arrow from {2},graph 0 to {2},graph 1 nohead lc rgb '#888888' lw 1 dt 3\n"
              "set arrow from {3},graph 0 to {3},graph 1 nohead lc rgb '#888888' lw 1 dt 3\n"
-             "set xlabel 'depth / effective radius'\nset ylabel 'atoms / membrane'\n"
-             "set yrange [0.6:1.6]\nset xrange [0:*]\n"
+             "set xlabel 'depth / effective radius'\nset ylabel 'force: atoms / continuum'\n"
+             "set yrange [0.7:1.5]\nset xrange [0:*]\n"
              "set border 3 lw 1\nset tics nomirror out\nset grid lc rgb '#e4e4e4' lw 1 lt 1\n"
              "set key inside right top Left reverse samplen 2 font ',10'\n",
-             1 - c.tolerance, 1 + c.tolerance, c.window.at(0), c.window.at(1)) +
+             1 - c.tolerance, 1 + c.tolerance, judged[0], judged[1]) +
          plot + "\n";
 }
 

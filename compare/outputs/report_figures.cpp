@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/errors.hpp"
+#include "compare/outputs/explanation_text.hpp"
 #include "compare/outputs/fields.hpp"
 #include "compare/outputs/figure.hpp"
 #include "compare/outputs/figure_commands.hpp"
@@ -49,9 +50,8 @@ struct Drawing {
 std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {
   return {{{.content = {},
             .title = "force against depth",
-            .caption = "Force against depth: atoms as markers (open in the artefact zone), membranes as "
-                       "lines (dashed: the "
-                       "paper's constants), Eq. 16 thin."},
+            .caption = "Force against depth: atoms as markers (open in the artefact zone), the calibrated sheet as thick lines, "
+                       "membranes thin (dashed: the paper's constants), Eq. 16 black."},
            figure_commands(result),
            {}},
           {{.content = {},
@@ -64,10 +64,16 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
            {1100, 500}},
           {{.content = {},
             .title = "atoms over membrane",
-            .caption = "Atoms over the like-for-like membrane at equal depth. Green: the tolerance; dotted: "
-                       "the judged window."},
+            .caption = "The atoms' force over that of each continuum at equal depth (open: artefact zone). Green: the "
+                       "tolerance; dotted: the judged window."},
            ratio_commands(result),
            {900, 480}},
+          {{.content = {},
+            .title = "what a plain membrane lacks",
+            .caption = "From a plain membrane (the paper's law with the card's constants, nominal radii) to the atoms, in "
+                       "per cent of its force at the same depth: bars add up to the atoms' (squares)."},
+           explanation_commands(result),
+           {1000, 460}},
           {{.content = {},
             .title = "fits against the window",
             .caption = "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A result "

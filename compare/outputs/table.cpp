@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "compare/errors.hpp"
+#include "compare/outputs/explanation_text.hpp"
 #include "compare/units.hpp"
 
 namespace compare {
@@ -48,7 +49,7 @@ const Row units = {"", "N/m ± error", "eV/Å²", "N/m", "N/m ± error", "", "%"
 
 void add_row(std::string& text, const Row& cell) {
   const std::string line =
-      fmt::format("{:<22}{:>14}{:>8}{:>7}  {:>16}{:>7}{:>7}{:>5}  {:>14}  {}", cell[0], cell[1], cell[2],
+      fmt::format("{:<25}{:>13}{:>7}{:>7}  {:>15}{:>7}{:>6}{:>5}  {:>14}  {}", cell[0], cell[1], cell[2],
                   cell[3], cell[4], cell[5], cell[6], cell[7], cell[8], cell[9]);
   text.append(line, 0, line.find_last_not_of(' ') + 1) += '\n';
 }
@@ -99,7 +100,7 @@ Row row_of(const Run& run, const std::string& card) {
 void add_corrections(std::string& text, const std::vector<Run>& runs) {
   if (std::ranges::none_of(runs, [](const Run& run) { return run.fit && run.fit->bias; })) return;
   const auto line = [&](const std::array<std::string, 6>& cell) {
-    const std::string row = fmt::format("{:<22}{:>17}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2],
+    const std::string row = fmt::format("{:<25}{:>16}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2],
                                         cell[3], cell[4], cell[5]);
     text.append(row, 0, row.find_last_not_of(' ') + 1) += '\n';
   };
@@ -131,11 +132,11 @@ void add_notes(std::string& text, const Result& result, const Run& run) {
              run.depth_A[*first_artefact(run)]);
   }
   if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
-  if (!run.ended_reason.empty() && run.ended != Ended::depth_max) {
+  const bool law_left = run.constants == Constants::calibrated && run.ended == Ended::artefact;  // told with the regimes
+  if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
-  if (!run.fit || run.constants == Constants::card || run.constants == Constants::paper)
-    return;  // bias: shown above
+  if (!run.fit || !(run.constants == Constants::none || run.constants == Constants::given)) return;  // bias: shown above
   for (const std::string& warning : run.fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
 }
 
@@ -161,15 +162,21 @@ void add_regimes(std::string& text, const Result& result) {
       more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
     if (std::isfinite(c.artefact_from_A))
       more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
+    if (std::isfinite(c.predicted_artefact_from_A))
+      more += fmt::format(" (predicted by the sheet's strains: {:.3g} Å)", c.predicted_artefact_from_A);
     if (c.regime.back() == Regime::bending) {
       sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", c.load,
-               1 + result.resolved.tolerance, more);
+               1 + result.resolved.regime_tolerance, more);
     } else {
       sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}",
-               c.load, bending, softening, 100 * result.resolved.tolerance, more);
+               c.load, bending, softening, 100 * result.resolved.regime_tolerance, more);
     }
   }
   if (!result.comparisons.empty()) text += '\n';
+}
+
+const char* constants_of(const Agreement& agreement) {
+  return agreement.against == "sheet" ? "the potential's own law, with bending" : "card constants";
 }
 
 void add_verdict(std::string& text, const Result& result, bool colour) {
@@ -184,10 +191,9 @@ void add_verdict(std::string& text, const Result& result, bool colour) {
   if (colour) text += "\033[0m";
   text += '\n';
   sentence(text,
-           "Over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from the {}'s (card "
-           "constants) "
+           "Over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from the {}'s ({}) "
            "by at most {:.2f} %{}; the tolerance is {:.2f} %.",
-           agreement.window[0], agreement.window[1], agreement.load, agreement.against,
+           agreement.window[0], agreement.window[1], agreement.load, agreement.against, constants_of(agreement),
            100 * agreement.max_relative_difference, worst_point(agreement), 100 * agreement.tolerance);
 }
 
@@ -214,6 +220,7 @@ std::string table(const Result& result, bool colour) {
   const std::size_t before_notes = text.size();
   for (const Run& run : result.runs) add_notes(text, result, run);
   if (text.size() > before_notes) text += '\n';
+  text += explanation_text(result);
   add_regimes(text, result);
   add_verdict(text, result, colour);
   return text;

@@ -58,6 +58,9 @@ stone-wales = [-5, 6]
 judged-load = "point"
 window = [0.12, 0.14]
 tolerance = 0.1
+against = "membrane"
+window-bond = "0.16 nm"
+regime-tolerance = 0.05
 )");
   EXPECT_DOUBLE_EQ(c.radius_A, 60);
   EXPECT_EQ(c.potential, "rebo");
@@ -84,6 +87,9 @@ tolerance = 0.1
   EXPECT_EQ(c.judged_load, "point");
   EXPECT_EQ(c.window, (std::vector<double>{0.12, 0.14}));
   EXPECT_EQ(c.tolerance, 0.1);
+  EXPECT_EQ(c.against, "membrane");
+  EXPECT_DOUBLE_EQ(c.window_bond_A, 1.6);
+  EXPECT_EQ(c.regime_tolerance, 0.05);
   // Every field is covered above: each has an origin with its line.
   int fields = 0;
   describe(c, [&](const Field& field, const auto&) {

@@ -130,7 +130,7 @@ TEST(Flags, HelpGivesUnitRangeDefaultAndChoices) {
   const std::string help = command.help();
   for (const char* words : {"radius of the free sheet; > 0 Å; default 110", "default point,disc",
                             "membrane, atomistic, both; default both", "> -1 and < 1",
-                            "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.1,0.15"}) {
+                            "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.03,0.5"}) {
     EXPECT_NE(help.find(words), std::string::npos) << words;
   }
 }

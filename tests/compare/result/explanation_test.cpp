@@ -7,8 +7,8 @@
 namespace compare {
 namespace {
 
-Run cubic(double stiffness, const std::vector<double>& depths) {
-  Run run;
+compare::Run cubic(double stiffness, const std::vector<double>& depths) {
+  compare::Run run;
   run.load = "disc";
   run.a_A = 100;
   for (const double d : depths) {
@@ -21,8 +21,8 @@ Run cubic(double stiffness, const std::vector<double>& depths) {
 
 TEST(Explanation, SharesAddUpToTheWholeDifference) {
   const std::vector<double> grid = {1, 4, 9, 16, 25};
-  const Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid), law = cubic(1.1, grid);
-  Run atoms = cubic(1.15, {2, 8, 20, 30});
+  const compare::Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid), law = cubic(1.1, grid);
+  compare::Run atoms = cubic(1.15, {2, 8, 20, 30});
   atoms.artefact = {false, false, true, false};
   const auto found = explain(atoms, {&plain, &paired, &bending, &law});
   ASSERT_TRUE(found);
@@ -37,7 +37,7 @@ TEST(Explanation, SharesAddUpToTheWholeDifference) {
 }
 
 TEST(Explanation, NeedsEveryStage) {
-  const Run curve = cubic(1, {1, 5, 9}), nothing = cubic(1, {});
+  const compare::Run curve = cubic(1, {1, 5, 9}), nothing = cubic(1, {});
   EXPECT_FALSE(explain(curve, {&curve, &curve, &nothing, &curve}));
   EXPECT_TRUE(explain(curve, {&curve, &curve, &curve, &curve}));
 }

@@ -185,7 +185,8 @@ TEST(FitWarnings, EachHasItsCause) {
   fit.window_A = {15, 20};
   EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "extrapolated"));
   EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .artefact_points = 2}), "artefact"));
-  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .longest_bond_A = 1.69}), "1.690"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .longest_bond_A = 1.69, .artefact_bond_A = 1.7}), "1.690"));
+  EXPECT_FALSE(says(fit_warnings(good_fit(), {.a_A = 110, .longest_bond_A = 1.69, .artefact_bond_A = 1.92}), "1.690"));
   EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .radius_error_A = 0.35}), "0.6 %"));
   EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .tip_assumed_a_point = true}), "no tip radius"));
 }

@@ -84,7 +84,7 @@ TEST_F(RunH5, HoldsTheCurvesWithUnitAndMeaning) {
   EXPECT_EQ(number("/runs/5", "Eh_eV_per_A2"), result.runs[5].Eh_eV_per_A2);
   EXPECT_NEAR(number("/card", "Eh_N_per_m"), 277.657, 1e-3);  // 17.33 × 16.02176634
   EXPECT_EQ(number("/case", "radius_A"), 110);
-  EXPECT_EQ(number("/case/agreement", "tolerance"), 0.06);
+  EXPECT_EQ(number("/case/agreement", "tolerance"), 0.01);
   EXPECT_EQ(text("/provenance", "lammps"), result.provenance.lammps);
   EXPECT_EQ(column("/agreement/ratio"), result.agreement->ratio);
 }

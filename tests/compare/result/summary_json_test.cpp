@@ -40,13 +40,13 @@ TEST(SummaryJson, HoldsTheNumbers) {
   const json doc = document(result);
   EXPECT_EQ(doc["schema"], 1);
   EXPECT_EQ(doc["case"]["radius_A"], 110);
-  EXPECT_EQ(doc["case"]["agreement"]["tolerance"], 0.06);
+  EXPECT_EQ(doc["case"]["agreement"]["tolerance"], 0.01);
   EXPECT_EQ(doc["sheet"]["atoms"], 17244);
   EXPECT_EQ(doc["card"]["Eh_eV_per_A2"], 17.33);
   EXPECT_NEAR(doc["card"]["Eh_N_per_m"], 277.657, 1e-3);  // 17.33 × 16.02176634
   EXPECT_EQ(doc["timing"]["force_calls"], 260);
   EXPECT_EQ(doc["provenance"]["gsl"], "2.7.1");
-  ASSERT_EQ(doc["runs"].size(), 6u);
+  ASSERT_EQ(doc["runs"].size(), 10u);
 
   const json& atoms = doc["runs"][1];
   EXPECT_EQ(atoms["model"], "atomistic");
@@ -60,7 +60,9 @@ TEST(SummaryJson, HoldsTheNumbers) {
   EXPECT_EQ(membrane["constants"], "paper");
   EXPECT_EQ(membrane["triangles"], 1936);
   EXPECT_FALSE(membrane.contains("artefact"));
-  EXPECT_EQ(doc["agreement"]["against"], "membrane");
+  EXPECT_EQ(doc["agreement"]["against"], "sheet");
+  EXPECT_EQ(doc["law"]["coefficient_eV_per_A2"].size(), 4u);
+  EXPECT_EQ(doc["explanation"].size(), 2u);
   EXPECT_EQ(doc["agreement"]["passed"], result.agreement->passed);
 }
 
@@ -127,6 +129,9 @@ INSTANTIATE_TEST_SUITE_P(
         Corruption{"membrane_without_constants", [](json& d) { d["runs"][2].erase("constants"); }},
         Corruption{"atoms_without_bonds", [](json& d) { d["runs"][0].erase("longest_bond_A"); }},
         Corruption{"membrane_with_bonds", [](json& d) { d["runs"][2]["longest_bond_A"] = json::array(); }},
+        Corruption{"sheet_without_bonds", [](json& d) { d["runs"][9].erase("longest_bond_A"); }},
+        Corruption{"law_without_coefficients", [](json& d) { d["law"].erase("coefficient_eV_per_A2"); }},
+        Corruption{"explanation_without_bending", [](json& d) { d["explanation"][0].erase("bending"); }},
         Corruption{"number_for_flag", [](json& d) { d["runs"][0]["converged"][0] = 1; }},
         Corruption{"fraction_of_an_evaluation", [](json& d) { d["runs"][0]["force_evaluations"][0] = 1.5; }},
         Corruption{"no_fit_without_reason", [](json& d) { d["runs"][0]["fit"] = nullptr; }},
