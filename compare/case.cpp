@@ -30,6 +30,9 @@ bool has_load(const Case& c, std::string_view load) {
   return std::find(c.loads.begin(), c.loads.end(), load) != c.loads.end();
 }
 
+/// Loads that the tip radius describes.
+bool has_tip(const Case& c) { return has_load(c, "disc") || has_load(c, "sphere"); }
+
 void check_loads(const Case& c, const Origins& origins) {
   if (c.loads.empty()) throw bad_input("{}: at least one load is needed", label_of(origins, "loads"));
   for (auto load = c.loads.begin(); load != c.loads.end(); ++load) {
@@ -37,7 +40,7 @@ void check_loads(const Case& c, const Origins& origins) {
       throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), *load);
     }
   }
-  if (!has_load(c, "disc")) return;
+  if (!has_tip(c)) return;
   if (!(c.tip_radius_A <= largest_tip_of_radius * c.radius_A)) {
     throw bad_input("{}: a tip of {} Å is wider than the sheet can take; at most {} of its radius of {} Å: {:.6g} Å",
                     label_of(origins, "tip-radius"), c.tip_radius_A, largest_tip_of_radius, c.radius_A,
@@ -103,8 +106,8 @@ void check_lattice(const Case& c, const Origins& origins) {
         "or --models membrane",
         label_of(origins, "radius"), c.radius_A, largest_atomistic_radius_A);
   }
-  if (has_load(c, "disc") && !(c.tip_radius_A >= smallest_atomistic_tip_A)) {
-    throw bad_input("{}: a disc of {} Å holds no atom; at least {} Å, the size of the central hexagon",
+  if (has_tip(c) && !(c.tip_radius_A >= smallest_atomistic_tip_A)) {
+    throw bad_input("{}: a tip of {} Å meets no atom; at least {} Å, the size of the central hexagon",
                     label_of(origins, "tip-radius"), c.tip_radius_A, smallest_atomistic_tip_A);
   }
   if (!(c.pretension_eV_per_A2 <= largest_pretension_eV_per_A2)) {

@@ -12,7 +12,7 @@
 
 namespace compare {
 
-inline constexpr std::array<std::string_view, 2> load_names = {"point", "disc"};
+inline constexpr std::array<std::string_view, 3> load_names = {"point", "disc", "sphere"};
 inline constexpr std::array<std::string_view, 2> centre_names = {"hexagon", "atom"};
 inline constexpr std::array<std::string_view, 2> continuum_names = {"sheet", "membrane"};
 inline constexpr std::array<std::string_view, 3> model_names = {"membrane", "atomistic", "both"};
@@ -56,7 +56,7 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"potential", {}, "name in inputs/potentials, or path to a TOML file"}, c.potential);
   visit(Field{.name = "loads", .meaning = "loads to run, separated by commas", .choices = load_names},
         c.loads);
-  visit(Field{"tip-radius", unit::length, "radius of the loaded disc", positive()}, c.tip_radius_A);
+  visit(Field{"tip-radius", unit::length, "radius of the loaded disc and of the sphere", positive()}, c.tip_radius_A);
   visit(Field{"depth-max", unit::length, "largest depth (0.22 of the radius if not given)", positive()},
         c.depth_max_A);
   visit(Field{"depth-step", unit::length, "distance between depths (2 Å; radius/55 for given constants)", positive()}, c.depth_step_A);

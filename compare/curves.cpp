@@ -101,6 +101,9 @@ void close(Run& run, const atomistic::Report& report) {
     case atomistic::Ended::not_converged: run.ended = Ended::not_converged; break;
   }
   run.ended_reason = report.reason;
+  if (const auto& c = report.contact)
+    run.contact = {c->force_change_relative, c->depth_change_A, c->force_change_at_equal_depth_relative,
+                   c->deepest_penetration_A};
 }
 
 }  // namespace compare

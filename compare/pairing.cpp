@@ -17,19 +17,24 @@ namespace {
 /// The paper's constants of its figure 2 (from its reference [30]).
 constexpr double paper_E_eV_per_A3 = 5.864, paper_thickness_A = 1.37, paper_nu = 0.19;
 
-/// A load by its name, as each leaf knows it. `point` is the six atoms of the central hexagon, and one node
-/// of a membrane that has no atoms to match.
+membrane::Load disc_of(double radius_A) { return membrane::DiscLoad{radius_A}; }
+membrane::Load sphere_of(double radius_A) { return membrane::SphereLoad{radius_A}; }
+
+/// A load by its name, as each leaf knows it: the atoms', the membrane's of nominal radii, and the twin of the atoms. Dead
+/// loads on N atoms have a disc of their area as twin, a rigid sphere the same sphere (its radius is to the atoms' centres).
+/// `point` is the six atoms of the central hexagon, and one node of a membrane that has no atoms to match.
 struct LoadPair {
   std::string_view name;
   atomistic::Load (*atoms)(double tip_A);
   membrane::Load (*nominal)(double tip_A);
+  bool rigid;
 };
 
 constexpr std::array loads = {
     LoadPair{"point", [](double) -> atomistic::Load { return atomistic::PointLoad{}; },
-             [](double) -> membrane::Load { return membrane::PointLoad{}; }},
-    LoadPair{"disc", [](double tip) -> atomistic::Load { return atomistic::DiscLoad{tip}; },
-             [](double tip) -> membrane::Load { return membrane::DiscLoad{tip}; }},
+             [](double) -> membrane::Load { return membrane::PointLoad{}; }, false},
+    LoadPair{"disc", [](double tip) -> atomistic::Load { return atomistic::DiscLoad{tip}; }, disc_of, false},
+    LoadPair{"sphere", [](double tip) -> atomistic::Load { return atomistic::SphereLoad{.radius_A = tip}; }, sphere_of, true},
 };
 
 const LoadPair& load_pair(std::string_view name) {
@@ -51,6 +56,19 @@ atomistic::SheetForm sheet_form(const Case& c) {
           .stone_wales = places(c.stone_wales_A)};
 }
 
+/// The membrane's load that belongs to the atoms'.
+membrane::Load twin_of(const Case& c, const PairedSheet& pair, const std::string& load) {
+  const LoadPair& names = load_pair(load);
+  return names.rigid ? names.nominal(c.tip_radius_A) : disc_of(pair.effective_tip_A(names.atoms(c.tip_radius_A)));
+}
+
+/// Of the loaded disc or the sphere; 0: a point.
+double tip_radius_A(const membrane::Load& load) {
+  if (const auto* disc = std::get_if<membrane::DiscLoad>(&load)) return disc->radius_A;
+  const auto* sphere = std::get_if<membrane::SphereLoad>(&load);
+  return sphere ? sphere->radius_A : 0.0;
+}
+
 bool dead_forces(const Case& c) { return !c.forces_eV_per_A.empty(); }
 
 /// Membrane with its radii, constants and pretension; the case supplies the rest.
@@ -62,8 +80,7 @@ MembraneExperiment membrane_experiment(const Case& c, const std::string& load,
   e.run.load = load;
   e.run.constants = constants;
   e.run.a_A = a_A;
-  const auto* disc = std::get_if<membrane::DiscLoad>(&pattern);
-  e.run.tip_A = disc ? disc->radius_A : 0.0;
+  e.run.tip_A = tip_radius_A(pattern);
   e.run.Eh_eV_per_A2 = Eh;
   e.run.nu = nu;
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
@@ -115,7 +132,7 @@ AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potenti
   e.run.model = Model::atomistic;
   e.run.load = load;
   e.run.a_A = pair.effective_radius_A();
-  e.run.tip_A = pair.effective_tip_A(e.problem.load);
+  e.run.tip_A = tip_radius_A(twin_of(c, pair, load));
   e.run.Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2();
   e.run.nu = card.nu();
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
@@ -125,9 +142,8 @@ AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potenti
 
 MembraneExperiment card_membrane(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
                                  const std::string& load, const std::vector<double>& levels) {
-  const membrane::DiscLoad twin{pair.effective_tip_A(atomistic_load(c, load))};  // also of the six atoms
   MembraneExperiment e = membrane_experiment(c, load, levels, Constants::card, pair.effective_radius_A(),
-                                             twin, card.sheet_modulus_eV_per_A2(), card.nu());
+                                             twin_of(c, pair, load), card.sheet_modulus_eV_per_A2(), card.nu());
   e.run.record_radius_A = pair.sheet().bond_A;
   e.problem.record_radius_A = pair.sheet().bond_A;  // where the atoms' depth of record is taken
   return e;

@@ -71,6 +71,14 @@ struct WindowScan {
   std::vector<double> depth_max_A, Eh_eV_per_A2, pretension_eV_per_A2;
 };
 
+/// What a four times stiffer contact changes at the last depth of a sphere that presses on atoms.
+struct ContactSensitivity {
+  double force_change_relative = not_known;                 ///< at equal travel of the sphere
+  double depth_change_A = not_known;                        ///< of the depth of record, at equal travel
+  double force_change_at_equal_depth_relative = not_known;  ///< what a comparison of curves sees
+  double deepest_penetration_A = not_known;                 ///< of an atom into the sphere
+};
+
 /// One force–depth curve. All arrays are equally long; those of the other model stay empty.
 struct Run {
   Model model = Model::membrane;
@@ -92,6 +100,8 @@ struct Run {
   std::vector<double> max_force_eV_per_A, balance_relative, force_error_relative;
   std::vector<bool> artefact;
   std::vector<int> force_evaluations, factorisations;
+
+  std::optional<ContactSensitivity> contact;  ///< for a sphere
 
   // membrane and sheet
   std::vector<int> newton_iterations;

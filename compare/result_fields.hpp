@@ -81,6 +81,18 @@ void describe_points(Self& scan, Visitor&& visit) {
         scan.pretension_eV_per_A2);
 }
 
+template <class Self, class Visitor>
+requires SameStruct<Self, ContactSensitivity>
+void describe(Self& contact, Visitor&& visit) {
+  visit(Field{"force_change_relative", unit::none, "force at equal travel, contact four times stiffer"},
+        contact.force_change_relative);
+  visit(Field{"depth_change", unit::length, "depth of record at equal travel"}, contact.depth_change_A);
+  visit(Field{"force_change_at_equal_depth_relative", unit::none, "force at equal depth of record"},
+        contact.force_change_at_equal_depth_relative);
+  visit(Field{"deepest_penetration", unit::length, "of an atom into the sphere, at the stiffness of the run"},
+        contact.deepest_penetration_A);
+}
+
 /// What holds for the run as a whole.
 template <class Self, class Visitor>
 requires SameStruct<Self, Run>
@@ -91,7 +103,7 @@ void describe(Self& run, Visitor&& visit) {
     visit(Field{"constants", unit::none, "where E·h and nu come from: card, paper, given; calibrated: the potential's own law"}, run.constants);
   }
   visit(Field{"a", unit::length, "clamp radius as used"}, run.a_A);
-  visit(Field{"tip", unit::length, "radius of the loaded disc as used"}, run.tip_A);
+  visit(Field{"tip", unit::length, "radius of the loaded disc or of the sphere as used"}, run.tip_A);
   visit(Field{"Eh", unit::membrane_force, "sheet modulus as used; for atoms the card's"}, run.Eh_eV_per_A2);
   visit(Field{"nu", unit::none, "Poisson's ratio as used; for atoms the card's"}, run.nu);
   visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"},

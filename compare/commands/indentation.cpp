@@ -26,6 +26,7 @@ Flags win over the case file.
 Examples:
   validate indentation --radius 110
   validate indentation --potential tersoff --radius 60 --loads disc --out runs/tersoff
+  validate indentation --potential tersoff --loads sphere --judged-load sphere --tip-radius 27.5
   validate indentation --potential airebo,rebo,tersoff,lcbop --radius 60,110   # a batch, one folder per case
   validate indentation --models membrane --radius "0.5 um" --E "1.0209 TPa" --thickness "0.335 nm" --nu 0.165 \
       --pretension "0.34 N/m" --loads disc --tip-radius "1 nm" --depth-step "5 nm")";

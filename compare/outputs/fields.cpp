@@ -82,13 +82,19 @@ double larger_force(const membrane::StVenantKirchhoff& law, double pretension,
   return std::max(force[0], force[1]);
 }
 
+round::Load round_load(const Run& run) {
+  if (run.load == "sphere") return round::SphereLoad{run.tip_A};
+  if (run.tip_A > 0) return round::DiscLoad{run.tip_A};
+  return round::PointLoad{};
+}
+
 /// The membrane's circles at the deepest depth of a run.
 std::vector<round::SheetPoint> circles(const Run& run, const membrane::StVenantKirchhoff& law) {
   round::SheetProblem problem;
   problem.radius_A = run.a_A;
   problem.law = law;
   problem.pretension_eV_per_A2 = run.pretension_eV_per_A2;
-  problem.load = run.tip_A > 0 ? round::Load(round::DiscLoad{run.tip_A}) : round::Load(round::PointLoad{});
+  problem.load = round_load(run);
   for (const std::size_t i : usable_points(run)) problem.levels.push_back(run.conjugate_depth_A[i]);
   std::vector<round::SheetPoint> points;
   round::solve(problem, [&](const round::SheetStep& step) {
@@ -100,7 +106,7 @@ std::vector<round::SheetPoint> circles(const Run& run, const membrane::StVenantK
 
 std::optional<Map> membrane_map(const Result& result) {
   const Run* run = shown_membrane(result);
-  if (!run || run->load == "sphere" || usable_points(*run).empty() || !std::isfinite(run->Eh_eV_per_A2))
+  if (!run || usable_points(*run).empty() || !std::isfinite(run->Eh_eV_per_A2))
     return std::nullopt;
   const membrane::StVenantKirchhoff law{run->Eh_eV_per_A2, run->nu};
   const std::vector<round::SheetPoint> points = circles(*run, law);

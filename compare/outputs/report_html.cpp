@@ -225,6 +225,17 @@ std::string fits(const Result& result) {
   return text;
 }
 
+/// What the softness of a sphere's contact does to its curve.
+std::string contact(const Run& run) {
+  if (!run.contact) return {};
+  const ContactSensitivity& c = *run.contact;
+  return fmt::format(
+      "<p>{}: atoms are up to {:.3f} Å inside the sphere. A contact four times stiffer changes the last depth's force by "
+      "{:.2f} % at equal travel and by {:.2f} % at equal depth of the sheet.</p>\n",
+      html::escaped(name_of(run)), c.deepest_penetration_A, 100 * c.force_change_relative,
+      100 * c.force_change_at_equal_depth_relative);
+}
+
 std::string quality(const Result& result) {
   std::string text = "<h2>Convergence and quality, depth by depth</h2>\n";
   for (const Run& run : result.runs) {
@@ -254,7 +265,7 @@ std::string quality(const Result& result) {
     text += fmt::format("<details><summary>{}: {} depths, ended: {}{}</summary>\n",
                         html::escaped(name_of(run)), run.depth_A.size(), to_string(run.ended),
                         run.ended_reason.empty() ? "" : " (" + html::escaped(run.ended_reason) + ")") +
-            html::table(header, rows) + "</details>\n";
+            html::table(header, rows) + "</details>\n" + contact(run);
   }
   return text;
 }

@@ -81,6 +81,7 @@ void write_columns(h5::Group& group, const Struct& described) {
 void write_run(h5::Group& runs, std::size_t index, const Run& run) {
   h5::Group group = write_group(runs, fmt::format("{}", index), run);
   write_columns(group, run);
+  if (run.contact) write_group(group, "contact", *run.contact);
   if (run.fit) {
     h5::Group fit = write_group(group, "fit", *run.fit);
     write_columns(fit, *run.fit);

@@ -105,6 +105,7 @@ Run read_run(const h5::ReadGroup& group) {
   if (group.has_attribute("model")) from_text(group.text("model"), run.model);
   describe(run, AttributesInto(group));
   read_columns(group, run);
+  read_optional(group, "contact", run.contact);
   if (const auto fit = group.group("fit")) run.fit = read_fit(*fit);
   if (group.has_attribute("fit_skipped")) run.fit_skipped = group.text("fit_skipped");
   if (const auto scan = group.group("window_scan")) read_columns(*scan, run.scan);

@@ -77,6 +77,7 @@ Json run_object(const Run& run) {
   describe_points(run, AddTo(object));
   object["fit"] = run.fit ? fit_document(*run.fit) : Json(nullptr);
   if (!run.fit) object["fit_skipped"] = to_json_value(run.fit_skipped);
+  if (run.contact) object["contact"] = object_of(*run.contact);
   if (!run.scan.depth_max_A.empty()) object["window_scan"] = columns_of(run.scan);
   return object;
 }

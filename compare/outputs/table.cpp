@@ -131,6 +131,13 @@ void add_notes(std::string& text, const Result& result, const Run& run) {
              name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_of(result),
              run.depth_A[*first_artefact(run)]);
   }
+  if (const auto& c = run.contact) {
+    sentence(text,
+             "{}: atoms up to {:.3f} Å inside the sphere; a contact four times stiffer changes the last force by {:.2f} % "
+             "at equal travel, {:.2f} % at equal depth",
+             name_of(run), c->deepest_penetration_A, 100 * c->force_change_relative,
+             100 * c->force_change_at_equal_depth_relative);
+  }
   if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
   const bool law_left = run.constants == Constants::calibrated && run.ended == Ended::artefact;  // told with the regimes
   if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {

