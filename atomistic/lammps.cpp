@@ -19,7 +19,10 @@ namespace {
 /// LAMMPS's own `nktv2p` of metal units (bar per eV/Å³): undoes exactly what its pressure compute applied.
 constexpr double lammps_bar = 1.6021765e6;
 
-enum class Order : int { evaluate, evaluate_fresh, stop };
+/// Goes with every thermo_style, which forgets it.
+const std::string thermo_format = "thermo_modify norm no lost error format float %.15g";
+
+enum class Order : int { evaluate, evaluate_fresh, virials, stop };
 
 double seconds() {
   using clock = std::chrono::steady_clock;
@@ -162,6 +165,30 @@ struct ForceField::Instance {
                communicator);
   }
 
+  /// Per-atom virials are tallied only in a run whose output asks for them: here the sum of one component.
+  void compute_virials(Eigen::VectorXd& positions, Eigen::VectorXd& virials) {
+    positions.resize(3 * atoms);
+    MPI_Bcast(positions.data(), static_cast<int>(positions.size()), MPI_DOUBLE, 0, communicator);
+    put(positions);
+    command("compute virial all stress/atom NULL virial");
+    command("compute virial_sum all reduce sum c_virial[1]");
+    command("thermo_style custom step pe c_virial_sum");
+    command("run 0 post no");
+    const int own = *static_cast<int*>(lammps_extract_global(lammps, "nlocal"));
+    const auto* id = static_cast<int*>(lammps_extract_atom(lammps, "id"));
+    auto** v = static_cast<double**>(lammps_extract_compute(lammps, "virial", LMP_STYLE_ATOM, LMP_TYPE_ARRAY));
+    check();
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(atoms));
+    for (int i = 0; i < own; ++i)
+      share.segment<6>(6 * (id[i] - 1)) = Eigen::Map<Eigen::Matrix<double, 6, 1>>{v[i]} / lammps_bar;
+    virials.resize(rank == 0 ? share.size() : 0);
+    MPI_Reduce(share.data(), virials.data(), static_cast<int>(share.size()), MPI_DOUBLE, MPI_SUM, 0, communicator);
+    command("thermo_style custom step pe pxx pyy pxy");
+    command(thermo_format);
+    command("uncompute virial_sum");
+    command("uncompute virial");
+  }
+
   /// The part that all ranks do together.
   double compute(Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
     const double start = seconds();
@@ -202,7 +229,7 @@ ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::
   in.command("neighbor 0.5 bin");
   in.command("neigh_modify every 1 delay 0 check yes" + wider_bins(box, positions));
   in.command("thermo_style custom step pe pxx pyy pxy");
-  in.command("thermo_modify norm no lost error format float %.15g");
+  in.command(thermo_format);
   in.create(positions);
   in.timing.setup_s += seconds() - start;
 }
@@ -228,13 +255,24 @@ double ForceField::evaluate(const Eigen::VectorXd& positions, Eigen::VectorXd& f
   return energy;
 }
 
+Eigen::VectorXd ForceField::virials(const Eigen::VectorXd& positions) {
+  Order order = Order::virials;
+  MPI_Bcast(&order, 1, MPI_INT, 0, instance_->communicator);
+  Eigen::VectorXd sent = positions, virials;
+  instance_->compute_virials(sent, virials);
+  return virials;
+}
+
 void ForceField::serve() {
   Eigen::VectorXd positions, forces;
   for (;;) {
     Order order = Order::stop;
     MPI_Bcast(&order, 1, MPI_INT, 0, instance_->communicator);
     if (order == Order::stop) return;
-    instance_->compute(positions, forces, order == Order::evaluate_fresh);
+    if (order == Order::virials)
+      instance_->compute_virials(positions, forces);
+    else
+      instance_->compute(positions, forces, order == Order::evaluate_fresh);
   }
 }
 

@@ -67,6 +67,11 @@ class ForceField {
   /// In-plane virial stress times the box height, N_ij (eV/Å²; tension positive), of the last evaluation.
   Eigen::Matrix2d membrane_force() const;
 
+  /// Each atom's share of the virial (eV, tension positive) at these positions: xx, yy, zz, xy, xz, yz, atom by atom.
+  /// Their sum is the stress times the volume; how it is shared out among the atoms of a bond or an angle is LAMMPS's
+  /// convention (`compute stress/atom`), which an average over some ten atoms no longer shows.
+  Eigen::VectorXd virials(const Eigen::VectorXd& positions);
+
   /// Answers rank 0's evaluations; returns when rank 0 has destroyed its object.
   void serve();
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "atomistic/loads/sphere_load.hpp"
+#include "atomistic/ripple.hpp"
 
 namespace atomistic {
 
@@ -154,11 +155,13 @@ void Path::factorise(const VectorXd& positions) {
   ++factorisations_;
 }
 
-void Path::predict(double level) {
+void Path::predict(int number, double level) {
   load_->set_level(level);
   const double t = load_->parameter(level);
   VectorXd x = reference_.head(free_dofs());
   x += states_.empty() ? load_->first_guess() : extrapolate(states_, t);
+  if (problem_.ripple_A > 0)
+    x += ripple(sheet_, problem_.ripple_A, problem_.ripple_seed + static_cast<unsigned>(number));
   hold_what_slides(x);
   load_->admit(x);
   positions_.head(free_dofs()) = x;
@@ -230,7 +233,7 @@ MinimiserReport Path::minimise_level(int number) {
 Step Path::run_level(int number, const Target& target) {
   factorisations_ = 0;
   fresh_ = true;
-  predict(target.level);
+  predict(number, target.level);
   const MinimiserReport result = minimise_level(number);
 
   const VectorXd x = free_positions();
@@ -242,6 +245,7 @@ Step Path::run_level(int number, const Target& target) {
   step.positions = positions_;
   step.forces = atom_forces_;
   step.factorised_at = factorised_at_;
+  if (problem_.virials) step.virials = force_field_.virials(positions_);
   step.conjugate_depth_A = load_->conjugate_depth(x);
   step.depth_A = mean_depth(sheet_.record, x);
   step.force_eV_per_A = load_->force(x, result.multiplier);

@@ -93,6 +93,9 @@ struct Problem {
   double force_tolerance_eV_per_A = 1e-5;
   int max_evaluations = 600;   ///< per level; then the path ends as not converged
   bool past_artefact = false;  ///< do not end the path at the artefact bond length
+  double ripple_A = 0;      ///< root mean square of the ripple that every level starts from, beside its prediction
+  unsigned ripple_seed = 0;  ///< of the first level; the next ones count on
+  bool virials = false;     ///< hand out each step's virials
 };
 
 /// Positions and forces are 3N vectors, atom by atom; free atoms first (see Sheet).
@@ -113,6 +116,7 @@ struct Step {
   int factorisations = 0;  ///< of the preconditioner, for this level
   Eigen::VectorXd positions, forces;
   Eigen::VectorXd factorised_at;  ///< positions of the factor in use when the level was finished
+  Eigen::VectorXd virials;        ///< 6N where asked for, else empty: xx, yy, zz, xy, xz, yz of each atom's, eV
 };
 
 enum class Ended { depth_max, artefact, rupture, not_converged };

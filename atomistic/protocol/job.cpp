@@ -83,7 +83,10 @@ json problem_to_json(const Problem& p) {
           {"unload", p.unload},
           {"force_tolerance_eV_per_A", p.force_tolerance_eV_per_A},
           {"max_evaluations", p.max_evaluations},
-          {"past_artefact", p.past_artefact}};
+          {"past_artefact", p.past_artefact},
+          {"ripple_A", p.ripple_A},
+          {"ripple_seed", p.ripple_seed},
+          {"virials", p.virials}};
 }
 
 Problem problem_from_json(const json& j) {
@@ -98,7 +101,10 @@ Problem problem_from_json(const json& j) {
           .unload = j.at("unload"),
           .force_tolerance_eV_per_A = j.at("force_tolerance_eV_per_A"),
           .max_evaluations = j.at("max_evaluations"),
-          .past_artefact = j.at("past_artefact")};
+          .past_artefact = j.at("past_artefact"),
+          .ripple_A = j.at("ripple_A"),
+          .ripple_seed = j.at("ripple_seed"),
+          .virials = j.at("virials")};
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The fixed part of the file; the three vectors follow as doubles. `magic` names the layout and its version.
+/// The fixed part of the file; the vectors follow as doubles. `magic` names the layout and its version.
 struct Header {
-  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '2'};
+  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '3'};
   std::int64_t level, unloading, converged, evaluations, factorisations;
   double target, depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
-  std::int64_t positions, forces, factorised_at;  ///< lengths
+  std::int64_t positions, forces, factorised_at, virials;  ///< lengths
 };
 
 Header header_of(const Step& s) {
@@ -43,6 +43,7 @@ Header header_of(const Step& s) {
   h.positions = s.positions.size();
   h.forces = s.forces.size();
   h.factorised_at = s.factorised_at.size();
+  h.virials = s.virials.size();
   return h;
 }
 
@@ -65,6 +66,7 @@ Step step_of(const Header& h) {
   s.positions.resize(h.positions);
   s.forces.resize(h.forces);
   s.factorised_at.resize(h.factorised_at);
+  s.virials.resize(h.virials);
   return s;
 }
 
@@ -95,7 +97,7 @@ void write_step(const Step& step, const fs::path& folder) {
   try {
     const Header header = header_of(step);
     write_all(descriptor, &header, sizeof header, temporary);
-    for (const Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at})
+    for (const Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at, &step.virials})
       write_all(descriptor, v->data(), sizeof(double) * static_cast<std::size_t>(v->size()), temporary);
     if (::fsync(descriptor) != 0) fail(temporary);
   } catch (...) {
@@ -115,12 +117,12 @@ Step read_step(const fs::path& file) {
     throw broken("not a step file, or cut short");
   if (std::memcmp(header.magic, Header{}.magic, sizeof header.magic) != 0) throw broken("not a step file");
   const std::uintmax_t doubles =
-      static_cast<std::uintmax_t>(header.positions + header.forces + header.factorised_at);
-  if (header.positions < 0 || header.forces < 0 || header.factorised_at < 0 ||
+      static_cast<std::uintmax_t>(header.positions + header.forces + header.factorised_at + header.virials);
+  if (header.positions < 0 || header.forces < 0 || header.factorised_at < 0 || header.virials < 0 ||
       fs::file_size(file) != sizeof header + sizeof(double) * doubles)
     throw broken("a step file of the wrong length");
   Step step = step_of(header);
-  for (Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at})
+  for (Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at, &step.virials})
     if (!in.read(reinterpret_cast<char*>(v->data()),
                  static_cast<std::streamsize>(sizeof(double)) * v->size()))
       throw broken("cut short");

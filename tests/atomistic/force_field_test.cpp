@@ -72,6 +72,35 @@ TEST_P(ForcesOf, DependOnThePositionsAlone) {
   EXPECT_LT((later - fresh).cwiseAbs().maxCoeff(), 1e-10);
 }
 
+/// The atoms' virials sum to the stress of the cell, which LAMMPS computes from its global virial; and asking for them
+/// changes nothing that comes after.
+TEST_P(ForcesOf, HaveVirialsThatSumToTheCellsStress) {
+  const double a = 2.46 * 1.03, b = std::sqrt(3.0) * a * 0.99;
+  const Box box{.low = {0, 0, -10}, .high = {4 * a, 3 * b, 10}, .tilt_xy = 0, .periodic = true};
+  VectorXd x(3 * 48);
+  const double cell[4][2] = {{0, 0}, {0, 1.0 / 3}, {0.5, 0.5}, {0.5, 5.0 / 6}};
+  int n = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (const auto& at : cell) x.segment<3>(3 * n++) << (i + at[0]) * a, (j + at[1]) * b, 0.05 * std::sin(1.3 * n);
+  ForceField field(potential(GetParam()), box, x, "none");
+  VectorXd before, after;
+  field.evaluate(x, before);
+  const Eigen::Matrix2d expected = field.membrane_force();
+  const VectorXd virials = field.virials(x);
+  ASSERT_EQ(virials.size(), 6 * 48);
+  Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> by_atom(virials.data(), 6, 48);
+  const Eigen::Matrix<double, 6, 1> sum = by_atom.rowwise().sum() / (4 * a * 3 * b);
+  const double scale = expected.norm();
+  EXPECT_GT(scale, 0.1);
+  EXPECT_NEAR(sum[0], expected(0, 0), 1e-6 * scale);
+  EXPECT_NEAR(sum[1], expected(1, 1), 1e-6 * scale);
+  EXPECT_NEAR(sum[3], expected(0, 1), 1e-6 * scale);
+  field.evaluate(x, after, true);
+  EXPECT_EQ(field.membrane_force(), expected);
+  EXPECT_LT((after - before).cwiseAbs().maxCoeff(), 1e-10);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shipped, ForcesOf, testing::ValuesIn(shipped_potentials()), test_name);
 
 TEST(ForceField, PositionsThatAreNotFiniteNeverReachLammps) {

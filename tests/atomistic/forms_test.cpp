@@ -155,6 +155,23 @@ TEST(Square, ClampedIsStifferThanSliding) {
   EXPECT_EQ(clamped.report.relaxation_evaluations, 0);
 }
 
+/// A taut sheet has one equilibrium: wherever the search starts it ends there.
+TEST(Ripple, DoesNotMoveTheEquilibriumOfATautSheet) {
+  Problem p = problem_of("tersoff", 20, PressureLoad{}, {4e-3, 4e-3});
+  p.control = Control::force;
+  const Step still = follow(p).steps.at(0);
+  p.ripple_A = 0.3;
+  p.ripple_seed = 7;
+  p.virials = true;
+  const Path path = follow(p);
+  expect_converged(path, 2);
+  for (const Step& step : path.steps) {
+    EXPECT_GT(step.evaluations, 5);  // the second level too starts away from where the first ended
+    EXPECT_NEAR(step.depth_A, still.depth_A, 1e-4);
+    EXPECT_EQ(step.virials.size(), 2 * step.positions.size());
+  }
+}
+
 class DefectOf : public testing::TestWithParam<std::string> {};
 
 /// The preconditioner copes with missing and turned bonds, whose own stiffness it does not know and which L-BFGS learns

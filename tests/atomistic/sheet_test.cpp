@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "atomistic/ripple.hpp"
+
 namespace {
 
 using namespace atomistic;
@@ -176,6 +178,23 @@ TEST(Sheet, RefusesSheetsThatAreTooSmallOrNotNumbers) {
   EXPECT_THROW(make_sheet(2.9 * a0, a0, 0, 5), std::invalid_argument);
   EXPECT_THROW(make_sheet(NAN, a0, 0, 5), std::invalid_argument);
   EXPECT_THROW(make_sheet(20, a0, 0, 0), std::invalid_argument);
+}
+
+TEST(Ripple, HasItsSizeVanishesAtTheEdgeAndComesAgain) {
+  const SheetForm square{.shape = Shape::square, .edge = Edge::sliding};
+  const Sheet sheet = make_sheet(25, 2.46, 0, 5, square);
+  const Eigen::VectorXd u = ripple(sheet, 0.4, 3);
+  ASSERT_EQ(u.size(), 3 * sheet.free_atoms);
+  double squares = 0;
+  for (int i = 0; i < sheet.free_atoms; ++i) {
+    EXPECT_EQ(u.segment<2>(3 * i).norm(), 0);
+    const double edge = 25 - sheet.position(i).head<2>().cwiseAbs().maxCoeff();
+    if (edge < 0.5) EXPECT_LT(std::abs(u[3 * i + 2]), 0.3);
+    squares += u[3 * i + 2] * u[3 * i + 2];
+  }
+  EXPECT_NEAR(std::sqrt(squares / sheet.free_atoms), 0.4, 1e-12);
+  EXPECT_EQ(u, ripple(sheet, 0.4, 3));
+  EXPECT_GT((u - ripple(sheet, 0.4, 4)).norm(), 1);
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ class StepFile : public testing::Test {
 TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
   Step before = step(3);
   before.unloading = true;
+  before.virials = Eigen::VectorXd::Random(24);
   write_step(before, folder);
   const Step after = read_step(folder / step_file_name(3));
   EXPECT_EQ(after.level, 3);
@@ -52,6 +53,7 @@ TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
   EXPECT_EQ(after.positions, before.positions);
   EXPECT_EQ(after.forces, before.forces);
   EXPECT_EQ(after.factorised_at, before.factorised_at);
+  EXPECT_EQ(after.virials, before.virials);
 }
 
 TEST_F(StepFile, FinishedStepsEndAtTheFirstGap) {
