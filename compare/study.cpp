@@ -8,6 +8,7 @@
 
 #include "atomistic/protocol/step_file.hpp"
 #include "compare/agreement.hpp"
+#include "compare/atoms_curves.hpp"
 #include "compare/continua.hpp"
 #include "compare/curve.hpp"
 #include "compare/curves.hpp"
@@ -23,9 +24,6 @@ namespace compare {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Below this size a second MPI rank does not pay for its communication.
-constexpr int fewest_atoms_per_rank = 3000;
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -211,10 +209,7 @@ class Study {
 
   int ranks_per_curve() const {
     if (options_.ranks > 0) return options_.ranks;
-    if (!options_.launch.launcher.empty() || !has_mpiexec()) return 1;
-    const int side_by_side = std::min<int>(options_.launch.cores, static_cast<int>(atoms_.size()));
-    return std::clamp(pair_->sheet().atoms() / fewest_atoms_per_rank, 1,
-                      options_.launch.cores / side_by_side);
+    return useful_ranks(options_.launch, pair_->sheet().atoms(), static_cast<int>(atoms_.size()));
   }
 
   void compute_atoms() {

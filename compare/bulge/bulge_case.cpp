@@ -8,7 +8,24 @@
 
 namespace compare {
 
+namespace {
+
+constexpr double largest_atomistic_size_A = 2000;  // 1.5 million atoms
+
+/// With atoms the membrane takes the potential's constants: one given on the command line would be lost.
+void check_atoms(const BulgeCase& c, const Origins& origins) {
+  for (const char* name : {"E", "nu"})
+    if (label_of(origins, name) == fmt::format("--{}", name))
+      throw bad_input("--{}: with a potential the membrane takes E·h and nu from the potential's card", name);
+  if (!(c.size_A <= largest_atomistic_size_A))
+    throw bad_input("{}: {} Å is too large for a sheet of atoms; at most {} Å", label_of(origins, "size"), c.size_A,
+                    largest_atomistic_size_A);
+}
+
+}  // namespace
+
 void check(const BulgeCase& c, const Origins& origins) {
+  if (!c.potential.empty()) check_atoms(c, origins);
   if (c.pressures_eV_per_A3.empty()) throw bad_input("{}: at least one pressure is needed", label_of(origins, "pressures"));
   if (c.cells != std::floor(c.cells)) throw bad_input("{}: {} is not a whole number", label_of(origins, "cells"), c.cells);
   if (c.pretension_eV_per_A2 > 0 && c.edge == "sliding")

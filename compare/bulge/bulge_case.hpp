@@ -26,6 +26,7 @@ struct BulgeCase {
   std::string extent = "quarter";
   double cells = 60;  ///< rings of a disc; grid cells along a side of the meshed part of a square
   bool unrelaxed = false;
+  std::string potential;  ///< of the atoms beside the membrane; empty: no atoms
 };
 
 template <class Self, class Visitor>
@@ -44,6 +45,8 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{.name = "extent", .meaning = "part that is meshed", .choices = extent_names}, c.extent);
   visit(Field{"cells", {}, "rings of a disc, cells along a side of a square's meshed part", from_to(8, 500)}, c.cells);
   visit(Field{"unrelaxed", {}, "let the sheet bear compression: what the paper's relaxation removes"}, c.unrelaxed);
+  visit(Field{"potential", {}, "the same sheet as atoms beside it (name in inputs/potentials, or path); E and nu are its own"},
+        c.potential);
 }
 
 /// Relations between fields. Throws Error (bad input).

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bulge/bulge_atoms_files.hpp"
 #include "compare/outputs/field_figure.hpp"
 #include "compare/outputs/fields_h5.hpp"
 #include "compare/outputs/file.hpp"
@@ -21,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_of(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
 template <class Value>
 Json json_of(const Value& value) {
   return value;
@@ -115,6 +117,7 @@ Json bulge_document(const BulgeResult& result) {
   document["case"] = bulge_case_document(result.resolved);
   document["points"] = Json::array();
   for (const BulgePoint& point : result.points) document["points"].push_back(object_of(point));
+  if (result.atoms) document["atoms"] = bulge_atoms_document(*result.atoms);
   document["ended"] = result.converged ? "pressure_max" : "not_converged";
   document["ended_reason"] = result.ended_reason;
   document["triangles"] = result.triangles;
@@ -129,6 +132,10 @@ void write_bulge(const BulgeResult& result, const std::filesystem::path& folder)
   write_csv(result, folder);
   write_file(folder / "summary.json", bulge_document(result).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_pvd(result.pictures, folder, "membrane");
+  if (result.atoms) {
+    write_file(folder / "atoms.csv", bulge_atoms_csv(*result.atoms));
+    if (const auto warning = draw_bulge_atoms(*result.atoms, folder)) spdlog::warn("{}", *warning);
+  }
   if (result.pictures.empty()) return;
   if (const auto warning = draw_fields(panels(result), folder, "figure")) spdlog::warn("{}", *warning);
 }
@@ -149,6 +156,7 @@ std::string bulge_table(const BulgeResult& result) {
                         p.stress_2_max_eV_per_A3, p.converged ? "" : "  not converged");
   if (c.edge == "sliding" && !c.unrelaxed)
     text += "\nPull-in and wrinkled area depend on mesh and path: states of nearly equal energy differ in them.\n";
+  if (result.atoms) text += bulge_atoms_table(*result.atoms);
   return text;
 }
 

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/bulge/bulge_atoms.hpp"
 #include "compare/bulge/bulge_case.hpp"
 #include "compare/outputs/sheet_columns.hpp"
 #include "compare/result.hpp"
@@ -49,6 +51,7 @@ struct BulgeResult {
   std::string ended_reason;
   int triangles = 0, factorisations = 0;
   double wall_s = 0;
+  std::optional<BulgeAtoms> atoms;  ///< where a potential was given; resolved then holds the card's constants
   Provenance provenance;
 };
 
@@ -59,7 +62,8 @@ BulgePoint bulge_point(const membrane::Problem& problem, const membrane::Step& s
 nlohmann::ordered_json bulge_case_document(const BulgeCase& c);
 nlohmann::ordered_json bulge_document(const BulgeResult& result);
 
-/// run.h5, curves.csv, summary.json, membrane.pvd with its VTU files, figure.svg and .png. Throws Error (file failed).
+/// run.h5, curves.csv, summary.json, membrane.pvd with its VTU files, figure.svg and .png; with atoms also atoms.csv,
+/// atoms.svg and .png. Throws Error (file failed).
 void write_bulge(const BulgeResult& result, const std::filesystem::path& folder);
 
 std::string bulge_table(const BulgeResult& result);

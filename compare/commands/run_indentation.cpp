@@ -1,14 +1,10 @@
 #include "compare/commands/run_indentation.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <exception>
-#include <iterator>
-#include <sstream>
 
 #include "atomistic/protocol/math_threads.hpp"
-#include "compare/child_process.hpp"
+#include "compare/commands/atoms_options.hpp"
 #include "compare/errors.hpp"
 #include "compare/interrupt.hpp"
 #include "compare/outputs/atoms_files.hpp"
@@ -16,7 +12,6 @@
 #include "compare/outputs/report_html.hpp"
 #include "compare/outputs/summary_json.hpp"
 #include "compare/outputs/table.hpp"
-#include "compare/paths.hpp"
 #include "compare/plan.hpp"
 #include "compare/run_folder.hpp"
 #include "compare/study.hpp"
@@ -24,28 +19,6 @@
 
 namespace compare {
 namespace {
-
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream in(text);
-  return {std::istream_iterator<std::string>(in), {}};
-}
-
-AtomsLaunch launch_of(const RunOptions& options, bool needs_atoms) {
-  AtomsLaunch launch{.program = needs_atoms ? atoms_program() : std::filesystem::path(),
-                     .launcher = words(options.launcher),
-                     .cores = available_cores()};
-  if (!launch.launcher.empty()) launch.cores = 1;  // it owns the machine: one job at a time
-  if (needs_atoms && !launch.launcher.empty() && !find_program(launch.launcher.front()))
-    throw Error(ExitCode::atomistic_failed,
-                fmt::format("--launcher: '{}' cannot be started: no such program in PATH", launch.launcher.front()));
-  if (needs_atoms && launch.launcher.empty() && !has_mpiexec()) {
-    if (options.ranks > 1)
-      throw Error(ExitCode::atomistic_failed,
-                  "--ranks: 'mpiexec' is not in PATH; install Open MPI or give another launcher with --launcher");
-    spdlog::warn("mpiexec is not in PATH: the atoms run on one rank");
-  }
-  return launch;
-}
 
 std::string folder_name(const Case& c) {
   const std::string potential = has_given_constants(c) ? "membrane" : std::filesystem::path(c.potential).stem().string();
@@ -83,9 +56,7 @@ void report(const StudyOutcome& outcome, const atomistic::Potential& potential, 
 nlohmann::ordered_json identity_of(const Case& c, const std::optional<PotentialFile>& potential) {
   nlohmann::ordered_json identity = case_document(c);
   if (!potential) return identity;
-  const atomistic::Potential& p = potential->potential;
-  identity["potential_definition"] = {p.pair_style, p.pair_coeff, p.kim_model, potential->sha256, p.mass, p.interaction_range_A,
-                                      p.artefact_bond_A};
+  identity["potential_definition"] = definition_of(*potential);
   return identity;
 }
 
@@ -105,7 +76,8 @@ std::optional<PotentialFile> prepared(const std::optional<PotentialFile>& potent
 
 int run_indentation(const Case& c, const RunOptions& options, const std::optional<PotentialFile>& potential) {
   atomistic::use_one_math_thread();
-  const AtomsLaunch launch = launch_of(options, potential.has_value());
+  AtomsLaunch launch{.cores = available_cores()};
+  if (potential) launch = launch_of(options);
   if (options.dry_run) {
     fmt::print("{}", plan_text(c, potential, launch));
     return 0;
