@@ -7,6 +7,8 @@
 #include "compare/outputs/file.hpp"
 #include "compare/outputs/gnuplot.hpp"
 #include "compare/outputs/scan_commands.hpp"
+#include "compare/outputs/svg_compact.hpp"
+#include "compare/read_file.hpp"
 
 namespace compare {
 
@@ -45,6 +47,7 @@ std::optional<std::string> draw(const std::string& commands, const std::filesyst
     throw Error(ExitCode::file_failed,
                 fmt::format("gnuplot drew a {}.png without text or curves: {}", name, report->messages));
   }
+  svg.write(compact_svg(read_file(svg.path())));
   svg.commit();
   png.commit();
   if (report->messages.empty()) return std::nullopt;
