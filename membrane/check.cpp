@@ -1,6 +1,7 @@
 // What makes a problem unsolvable before anything is computed.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "membrane/problem.hpp"
 #include "membrane/refusal.hpp"
@@ -99,6 +100,29 @@ void check_prestress(const Problem& problem) {
     refuse("prestress_eV_per_A2(0,1)", prestress(0, 1), "breaks the symmetry of a quarter: mesh the full sheet");
 }
 
+bool is_quarter(const Sheet& sheet) {
+  const auto extent_is = [](const auto& shape) {
+    if constexpr (requires { shape.extent; })
+      return shape.extent == Extent::quarter;
+    else
+      return false;
+  };
+  return std::visit(extent_is, sheet);
+}
+
+/// The symmetry planes of a quarter must be the lattice's, too: zigzag and armchair follow each other every 30°.
+void check_directions(const Problem& problem) {
+  const auto* lattice = std::get_if<CauchyBornSixfold>(&problem.law);
+  if (!lattice || !is_quarter(problem.sheet)) return;
+  const double mirrors = lattice->zigzag_rad / (std::numbers::pi / 6);
+  if (std::abs(mirrors - std::round(mirrors)) > 1e-9)
+    refuse("law.zigzag_rad", lattice->zigzag_rad,
+           "must be a multiple of 30 degrees on a quarter, or its planes are no mirrors of the lattice: mesh the full sheet");
+  if (problem.prestress_eV_per_A2(0, 1) != 0)
+    refuse("prestress_eV_per_A2(0,1)", problem.prestress_eV_per_A2(0, 1),
+           "breaks the symmetry of a quarter: mesh the full sheet");
+}
+
 void check_levels(const Problem& problem) {
   if (problem.levels.empty()) refuse("levels", "[]", "at least one is needed");
   const bool bulged = problem.pressure_eV_per_A3 != 0;  // then depths of either sign make sense
@@ -113,6 +137,7 @@ void check(const Problem& problem) {
   check(problem.sheet);
   std::visit([](const auto& law) { law.check(); }, problem.law);
   check_prestress(problem);
+  check_directions(problem);
   if (!std::isfinite(problem.pressure_eV_per_A3))
     refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be finite");
   if (problem.pressure_eV_per_A3 != 0) check_closed(problem, "pressure_eV_per_A3");

@@ -16,7 +16,7 @@ double angle_of(const Principal& at) { return 0.5 * std::atan2(at.sin_2theta, at
 template <MaterialLaw L>
 SheetState add_triangle(const L& law, const Material& material, const Voigt& strain, SheetFields& fields) {
   const Voigt& offset = material.offset_strain;
-  const SheetState state = material.relaxed ? sheet_state(law, principal_strains(Voigt(strain + offset))) : SheetState::taut;
+  const SheetState state = material.relaxed ? sheet_state(law, Voigt(strain + offset)) : SheetState::taut;
   const Principal force = principal_forces(membrane_force(material, strain));
   const Principal cauchy = principal_forces(cauchy_force(law, strain, offset, material.relaxed));
   fields.state.push_back(state);

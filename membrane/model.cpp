@@ -27,7 +27,7 @@ double sheet_modulus(const Law& law) {
 /// turned to its own axes, which makes the two planes of the quarter planes of symmetry for any prestress.
 Voigt prestress_on_axes(const Problem& problem, const Mesh& mesh) {
   const Eigen::Matrix2d& p = problem.prestress_eV_per_A2;
-  if (mesh.rings.empty() || mesh.copies == 1) return {p(0, 0), p(1, 1), p(0, 1)};
+  if (mesh.rings.empty() || mesh.copies == 1 || !is_isotropic(problem.law)) return {p(0, 0), p(1, 1), p(0, 1)};
   const Eigen::Vector2d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(p).eigenvalues();
   return {principal[0], principal[1], 0};
 }

@@ -28,6 +28,12 @@ struct NamedLaw {
   Law law;
 };
 
+CauchyBornTable some_table() {
+  CauchyBornTable law{Eh, 0.3645, {-0.2, 0.3, 3}, {0, 0.15, 2}, {}};
+  for (int k = 0; k < law.coefficient_count(); ++k) law.coefficients_eV_per_A2.push_back(-3 + 2 * std::sin(1.7 * k * k));
+  return law;
+}
+
 std::vector<NamedLaw> laws() {
   return {
       {"St Venant-Kirchhoff, nu = 0.19", StVenantKirchhoff{Eh, 0.19}},
@@ -38,7 +44,28 @@ std::vector<NamedLaw> laws() {
       {"Mooney-Rivlin, incompressible", MooneyRivlin{Eh, 0.5, 0.2}},
       {"Lee's graphene, nu = 0.165", LeeGraphene{Eh, 0.165, -2 * Eh}},
       {"Cauchy-Born, nu = 0.3645",
-       CauchyBorn{Eh, 0.3645, {{3, 0, -7}, {1, 2, -15}, {0, 3, 12}, {4, 0, 2}, {2, 2, 10}, {0, 4, -20}}}}};
+       CauchyBorn{Eh, 0.3645, {{3, 0, -7}, {1, 2, -15}, {0, 3, 12}, {4, 0, 2}, {2, 2, 10}, {0, 4, -20}}}},
+      {"Cauchy-Born table, nu = 0.3645", some_table()},
+      {"Cauchy-Born sixfold, nu = 0.3645",
+       CauchyBornSixfold{Eh,
+                         0.3645,
+                         0,
+                         {{3, 0, Sixfold::none, -7},
+                          {1, 2, Sixfold::none, -15},
+                          {0, 3, Sixfold::none, 6},
+                          {0, 3, Sixfold::cosine, 4},
+                          {1, 3, Sixfold::knots, -9},
+                          {0, 6, Sixfold::cosine_squared, -25}}}}};
+}
+
+/// The same sheet, turned in its plane together with its lattice.
+template <IsotropicLaw L>
+L turned(const L& law, double) {
+  return law;
+}
+CauchyBornSixfold turned(CauchyBornSixfold law, double angle) {
+  law.zigzag_rad += angle;
+  return law;
 }
 
 /// Strain with principal values e1, e2, the first at an angle (radians) to x.
@@ -102,8 +129,9 @@ double change_by_rotation(const L& law) {
   }
   for (const Voigt& E : states()) {
     const Principal p = principal_strains(E);
-    const Voigt turned = principal_at(p.larger, p.smaller, 2.3);
-    largest = std::max(largest, std::abs(tension_field(law, turned).energy_eV_per_A2 -
+    const double angle = 0.5 * std::atan2(p.sin_2theta, p.cos_2theta);
+    const Voigt there = principal_at(p.larger, p.smaller, angle + 2.3);
+    largest = std::max(largest, std::abs(tension_field(turned(law, 2.3), there).energy_eV_per_A2 -
                                          tension_field(law, E).energy_eV_per_A2));
   }
   return largest / Eh;

@@ -47,6 +47,8 @@ void check_pressure(const SheetProblem& problem) {
 void check(const SheetProblem& problem) {
   if (!positive(problem.radius_A)) refuse("radius_A", problem.radius_A, "must be positive and finite");
   std::visit([](const auto& law) { law.check(); }, problem.law);
+  if (!is_isotropic(problem.law))
+    refuse("law", "with directions", "must be isotropic: a sheet that differs from side to side is not round");
   const double bending = problem.bending_modulus_eV;
   if (!(bending >= 0) || !std::isfinite(bending))
     refuse("bending_modulus_eV", bending, "must be finite and not negative");

@@ -9,16 +9,12 @@
 
 namespace membrane {
 
-/// The strain that the material itself bears: what wrinkles hide of the width is added across them, so that a
-/// wrinkled sheet has its natural width. The actual one can be far narrower, in a tuck, and says nothing of
-/// the stress. `strain` is the sheet's, `offset` its prestress as a strain (laws/prestress.hpp).
+/// The strain that the material itself bears: a wrinkled sheet has its natural width. The actual one can be
+/// far narrower, in a tuck, and says nothing of the stress. `strain` is the sheet's, `offset` its prestress
+/// as a strain (laws/prestress.hpp).
 template <MaterialLaw L>
 Voigt natural_strain(const L& law, const Voigt& strain, const Voigt& offset) {
-  const Principal at = principal_strains(strain + offset);
-  if (sheet_state(law, at) != SheetState::wrinkled) return strain;
-  const double hidden = law.natural_width(at.larger) - at.smaller;
-  const Voigt along = at.axial();
-  return strain + hidden * Voigt(1 - along[0], 1 - along[1], -2 * along[2]);
+  return strain + hidden_strain(law, Voigt(strain + offset));
 }
 
 /// Reference thickness × Cauchy stress, U S U / (lambda1 lambda2 lambda3), as [11, 22, 12] in eV/Å², in the

@@ -70,6 +70,6 @@ struct CauchyBorn {
   }
 };
 
-static_assert(MaterialLaw<CauchyBorn>);
+static_assert(IsotropicLaw<CauchyBorn>);
 
 }  // namespace membrane

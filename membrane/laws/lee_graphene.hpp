@@ -57,6 +57,6 @@ struct LeeGraphene {
   }
 };
 
-static_assert(MaterialLaw<LeeGraphene>);
+static_assert(IsotropicLaw<LeeGraphene>);
 
 }  // namespace membrane

@@ -4,6 +4,8 @@
 #include <variant>
 
 #include "membrane/laws/cauchy_born.hpp"
+#include "membrane/laws/cauchy_born_sixfold.hpp"
+#include "membrane/laws/cauchy_born_table.hpp"
 #include "membrane/laws/lee_graphene.hpp"
 #include "membrane/laws/mooney_rivlin.hpp"
 #include "membrane/laws/st_venant_kirchhoff.hpp"
@@ -11,6 +13,12 @@
 namespace membrane {
 
 /// Neo-Hookean is Mooney–Rivlin without its second term: neo_hookean() makes it.
-using Law = std::variant<StVenantKirchhoff, MooneyRivlin, LeeGraphene, CauchyBorn>;
+using Law = std::variant<StVenantKirchhoff, MooneyRivlin, LeeGraphene, CauchyBorn, CauchyBornTable,
+                         CauchyBornSixfold>;
+
+/// Whether a law is the same from every direction.
+inline bool is_isotropic(const Law& law) {
+  return std::visit([]<class L>(const L&) { return IsotropicLaw<L>; }, law);
+}
 
 }  // namespace membrane

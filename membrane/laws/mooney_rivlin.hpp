@@ -103,7 +103,7 @@ struct MooneyRivlin {
   }
 };
 
-static_assert(MaterialLaw<MooneyRivlin>);
+static_assert(IsotropicLaw<MooneyRivlin>);
 
 /// S = µ (1 − lambda3² C⁻¹).
 inline MooneyRivlin neo_hookean(double sheet_modulus_eV_per_A2, double nu) {

@@ -24,16 +24,15 @@ struct UniaxialResponse {
   double tangent_eV_per_A2 = 0;  ///< dS1 / dE1 along the natural width
 };
 
-/// An isotropic law: public parameters, its small-strain constants, one call E -> (psi, S, dS/dE), and the
-/// same with the width free. The prestress is no business of a law: it enters as an offset strain.
+/// A law: public parameters, its small-strain constants, and one call E -> (psi, S, dS/dE). Prestress is no business of
+/// a law: it enters as an offset strain.
 template <class L>
 concept MaterialLaw = requires(const L& law, const Voigt& strain, double axial_strain) {
   { law.sheet_modulus_eV_per_A2 } -> std::convertible_to<double>;  ///< E·h
   { law.nu } -> std::convertible_to<double>;
   { law(strain) } -> std::same_as<Response>;
-  /// Strain across the axis at which the force across vanishes (the natural width).
+  /// Strain across an axis (a lattice's zigzag) at which the force across vanishes: the natural width. NaN: none.
   { law.natural_width(axial_strain) } -> std::same_as<double>;
-  { law.uniaxial(axial_strain) } -> std::same_as<UniaxialResponse>;
   /// lambda3, thickness over reference thickness, in plane stress at this strain (that of the sheet, not
   /// offset by a prestress). A law that has no 3-D parent has no thickness to change: 1. NaN beyond the
   /// parent's range.
@@ -41,5 +40,15 @@ concept MaterialLaw = requires(const L& law, const Voigt& strain, double axial_s
   /// Throws std::invalid_argument when the parameters make no sense.
   { law.check() } -> std::same_as<void>;
 };
+
+/// The same from every direction, so that strain and force have common axes: it answers with the width free, too.
+template <class L>
+concept IsotropicLaw = MaterialLaw<L> && requires(const L& law, double axial_strain) {
+  { law.uniaxial(axial_strain) } -> std::same_as<UniaxialResponse>;
+};
+
+/// A law with directions of its own: what wrinkles do to it is solved for (directional_wrinkling.hpp).
+template <class L>
+concept DirectionalLaw = MaterialLaw<L> && !IsotropicLaw<L>;
 
 }  // namespace membrane

@@ -46,6 +46,6 @@ struct StVenantKirchhoff {
   }
 };
 
-static_assert(MaterialLaw<StVenantKirchhoff>);
+static_assert(IsotropicLaw<StVenantKirchhoff>);
 
 }  // namespace membrane

@@ -5,16 +5,16 @@
 #pragma once
 
 #include "membrane/fault.hpp"
+#include "membrane/laws/directional_wrinkling.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/laws/response.hpp"
+#include "membrane/laws/sheet_state.hpp"
 
 namespace membrane {
 
-enum class SheetState { taut, wrinkled, slack };
-
 /// The branch of the relaxed energy at principal strains Ē1 ≥ Ē2. The natural width decides, not the sign of
 /// S2, so that a law that softens in compression is judged rightly too.
-template <MaterialLaw L>
+template <IsotropicLaw L>
 SheetState sheet_state(const L& law, const Principal& strain) {
   if (!(strain.larger > 0)) return SheetState::slack;
   if (broken(Fault::wrinkled_as_taut)) return SheetState::taut;
@@ -22,10 +22,25 @@ SheetState sheet_state(const L& law, const Principal& strain) {
   return strain.smaller > law.natural_width(strain.larger) ? SheetState::taut : SheetState::wrinkled;
 }
 
+template <IsotropicLaw L>
+SheetState sheet_state(const L& law, const Voigt& offset_strain) {
+  return sheet_state(law, principal_strains(offset_strain));
+}
+
+/// What wrinkles hide of the strain Ē across them, as [E11, E22, 2 E12]: with it a wrinkled sheet has its
+/// natural width. Zero where there are none.
+template <IsotropicLaw L>
+Voigt hidden_strain(const L& law, const Voigt& offset_strain) {
+  const Principal at = principal_strains(offset_strain);
+  if (sheet_state(law, at) != SheetState::wrinkled) return Voigt::Zero();
+  const Voigt along = at.axial();
+  return (law.natural_width(at.larger) - at.smaller) * Voigt(1 - along[0], 1 - along[1], -2 * along[2]);
+}
+
 /// psi(Ē1) of the uniaxial law with S = S1 M1⊗M1 and
 /// dS/dE = dS1/dE1 M1⊗M1⊗M1⊗M1 + S1 / (2(Ē1 − Ē2)) (M1⊗M2 + M2⊗M1)⊗(M1⊗M2 + M2⊗M1):
 /// the second term turns the wrinkles with the strain. Ē1 > Ē2 here, since equal positive strains are taut.
-template <MaterialLaw L>
+template <IsotropicLaw L>
 Response wrinkled_response(const L& law, const Principal& strain) {
   const UniaxialResponse along = law.uniaxial(strain.larger);
   const Voigt m11 = strain.axial();
@@ -41,7 +56,7 @@ Response wrinkled_response(const L& law, const Principal& strain) {
 
 /// The relaxed law at the offset strain Ē (prestress included): taut, wrinkled or slack, C¹ over both
 /// borders.
-template <MaterialLaw L>
+template <IsotropicLaw L>
 Response tension_field(const L& law, const Voigt& offset_strain) {
   const Principal strain = principal_strains(offset_strain);
   switch (sheet_state(law, strain)) {

@@ -321,6 +321,7 @@ double slope(const std::vector<SheetStep>& steps, double SheetStep::*along) {
 
 TEST(AxisymmetricSheet, ForceIsTheSlopeOfTheEnergyForEveryLawAndLoad) {
   membrane::testing::over_laws([](const auto& law) {
+    if (!is_isotropic(law)) return;
     for (const Load& load : {Load(DiscLoad{10}), Load(SphereLoad{20})})
       for (double kappa : {0.0, 1.0}) {
         SheetProblem problem = membrane_problem(0, load, {9.999, 10, 10.001});
@@ -441,6 +442,7 @@ TEST(AxisymmetricSheet, BadProblemsAreRefusedByName) {
         p.pressure_eV_per_A3 = 1e-3;
       },
       "control");
+  expect_refused([](SheetProblem& p) { p.law = CauchyBornSixfold{17, 0.2, 0, {}}; }, "law");
   SheetProblem crushed = good;
   crushed.law = LeeGraphene{17, 0.2};
   crushed.pretension_eV_per_A2 = 50;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <numbers>
+#include <vector>
 
 #include "membrane/laws/prestress.hpp"
 #include "membrane/laws/tension_field.hpp"
@@ -67,19 +69,31 @@ TEST(Law, RelaxedNeverCompresses) {
   });
 }
 
+/// Where to look for wrinkles, against the axes of the strain.
+template <MaterialLaw L>
+std::vector<double> turns_of_wrinkles(const L&) {
+  if constexpr (IsotropicLaw<L>) return {0};
+  std::vector<double> turns;
+  for (int i = -60; i <= 60; ++i) turns.push_back(2.5e-3 * i);
+  return turns;
+}
+
 // The relaxed energy is the least over all widths that wrinkles can hide: psi(E + w M⊗M), w ≥ 0, any M.
 TEST(Law, RelaxedIsTheLeastEnergyOverWrinkles) {
   over_laws_and_states([](const auto& law, const Voigt& strain) {
     const double relaxed = tension_field(law, strain).energy_eV_per_A2;
     double least = law(strain).energy_eV_per_A2;
     const Principal at = principal_strains(strain);
-    const Voigt across(1 - at.axial()[0], 1 - at.axial()[1], -2 * at.axial()[2]);
-    const Voigt along(at.axial()[0], at.axial()[1], 2 * at.axial()[2]);
     const bool slack = at.larger < 0;  // wrinkles both ways
     const double grid = slack ? 4e-3 : 1e-3;
-    for (int i = 0; i * grid <= 0.4; ++i)
-      for (int k = 0; k * grid <= (slack ? 0.4 : 0); ++k)
-        least = std::min(least, law(Voigt(strain + grid * (i * across + k * along))).energy_eV_per_A2);
+    for (double turn : turns_of_wrinkles(law)) {
+      const double angle = 0.5 * std::atan2(at.sin_2theta, at.cos_2theta) + turn;
+      const Voigt across = principal_at(1, 0, angle + 0.5 * std::numbers::pi);
+      const Voigt along = principal_at(1, 0, angle);
+      for (int i = 0; i * grid <= 0.4; ++i)
+        for (int k = 0; k * grid <= (slack ? 0.4 : 0); ++k)
+          least = std::min(least, law(Voigt(strain + grid * (i * across + k * along))).energy_eV_per_A2);
+    }
     EXPECT_LE(relaxed, least + 1e-17);
     EXPECT_NEAR(relaxed, least, 0.5 * 3 * law.sheet_modulus_eV_per_A2 * grid * grid);  // ½ modulus × grid²
   });
@@ -106,8 +120,9 @@ TEST(Law, IsTheSameFromEveryDirection) {
     const auto tensor = [](const Voigt& v, double shear) {
       return Eigen::Matrix2d{{v[0], shear * v[2]}, {shear * v[2], v[1]}};
     };
-    const Eigen::Matrix2d turned = turn * tensor(strain, 0.5) * turn.transpose();
-    const Response there = tension_field(law, Voigt(turned(0, 0), turned(1, 1), 2 * turned(0, 1)));
+    const Eigen::Matrix2d image = turn * tensor(strain, 0.5) * turn.transpose();
+    const Response there =
+        tension_field(turned(law, 0.83), Voigt(image(0, 0), image(1, 1), 2 * image(0, 1)));
     const Response here = tension_field(law, strain);
     EXPECT_NEAR(there.energy_eV_per_A2, here.energy_eV_per_A2, 1e-16);
     EXPECT_LE(
@@ -141,27 +156,29 @@ TEST(Law, NaturalWidthLeavesNoForceAcross) {
     for (double e : {1e-8, 1e-3, 0.05, 0.15}) {
       const Response at = law(Voigt(e, law.natural_width(e), 0));
       EXPECT_NEAR(at.force_eV_per_A2[1], 0, 1e-14) << e;
-      const UniaxialResponse along = law.uniaxial(e);
-      EXPECT_NEAR(along.force_eV_per_A2, at.force_eV_per_A2[0], 1e-14) << e;
-      EXPECT_NEAR(along.energy_eV_per_A2, at.energy_eV_per_A2, 1e-15) << e;
+      if constexpr (requires { law.uniaxial(e); }) {
+        const UniaxialResponse along = law.uniaxial(e);
+        EXPECT_NEAR(along.force_eV_per_A2, at.force_eV_per_A2[0], 1e-14) << e;
+        EXPECT_NEAR(along.energy_eV_per_A2, at.energy_eV_per_A2, 1e-15) << e;
+      }
     }
   });
 }
 
 // The prestress turns with the sheet, also where its axes are not those of the strain.
 TEST(Law, PrestressThatDoesNotCommuteTurnsWithTheSheet) {
-  const auto turned = [](const Voigt& v, double shear) {
+  const auto image = [](const Voigt& v, double shear) {
     const Eigen::Matrix2d R = Eigen::Rotation2D<double>(0.83).toRotationMatrix();
     const Eigen::Matrix2d t = R * Eigen::Matrix2d{{v[0], shear * v[2]}, {shear * v[2], v[1]}} * R.transpose();
     return Voigt(t(0, 0), t(1, 1), t(0, 1) / shear);
   };
   const Voigt prestress(0.17592, -0.05864, 0.08796);
   over_laws_and_states([&](const auto& law, const Voigt& strain) {
-    const auto force = [&](const Voigt& e, const Voigt& p) {
-      return tension_field(law, Voigt(e + offset_strain(law, p))).force_eV_per_A2;
+    const auto force = [](const auto& of, const Voigt& e, const Voigt& p) {
+      return tension_field(of, Voigt(e + offset_strain(of, p))).force_eV_per_A2;
     };
-    const Voigt there = force(turned(strain, 0.5), turned(prestress, 1));
-    EXPECT_LE((there - turned(force(strain, prestress), 1)).norm(), 1e-14);
+    const Voigt there = force(turned(law, 0.83), image(strain, 0.5), image(prestress, 1));
+    EXPECT_LE((there - image(force(law, strain, prestress), 1)).norm(), 1e-14);
   });
 }
 

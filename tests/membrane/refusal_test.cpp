@@ -73,6 +73,13 @@ INSTANTIATE_TEST_SUITE_P(
                           [](Problem& p) {
                             p.law = StVenantKirchhoff{nan, 0.19};
                           }},
+                      Bad{"law.zigzag_rad", [](Problem& p) { p.law = CauchyBornSixfold{8, 0.19, 0.1, {}}; }},
+                      Bad{"prestress_eV_per_A2(0,1)",
+                          [](Problem& p) {
+                            p.law = CauchyBornSixfold{8, 0.19, 0, {}};
+                            p.prestress_eV_per_A2(0, 1) = p.prestress_eV_per_A2(1, 0) = 0.1;
+                          }},
+                      Bad{"law.coefficients_eV_per_A2", [](Problem& p) { p.law = CauchyBornTable{8, 0.19, {-0.1, 0.3, 2}, {0, 0.1, 2}, {}}; }},
                       Bad{"prestress_eV_per_A2", [](Problem& p) { p.prestress_eV_per_A2(1, 1) = nan; }},
                       Bad{"prestress_eV_per_A2(0,1)", [](Problem& p) { p.prestress_eV_per_A2(0, 1) = 0.1; }},
                       Bad{"load.radius_A", [](Problem& p) { p.load = DiscLoad{0}; }},

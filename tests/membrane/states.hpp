@@ -35,6 +35,34 @@ inline CauchyBorn some_lattice() {
            {6, 0, 3.0}}};
 }
 
+/// The same as a table, its coefficients without any order, and with directions.
+inline CauchyBornTable some_table() {
+  CauchyBornTable law{17.33, 0.3645, {-0.2, 0.35, 3}, {0, 0.18, 2}, {}};
+  for (int k = 0; k < law.coefficient_count(); ++k) law.coefficients_eV_per_A2.push_back(-4 + 3 * std::sin(1.7 * k * k));
+  return law;
+}
+inline CauchyBornSixfold some_hexagonal_lattice(double zigzag_rad) {
+  CauchyBornSixfold law{17.33, 0.3645, zigzag_rad, {}};
+  for (const auto& [a, b, c] : some_lattice().terms) law.terms.push_back({a, b, Sixfold::none, c});
+  law.terms.push_back({0, 3, Sixfold::cosine, 20});
+  law.terms.push_back({0, 3, Sixfold::knots, 15});
+  law.terms.push_back({1, 3, Sixfold::cosine, -30});
+  law.terms.push_back({0, 4, Sixfold::cosine, 10});
+  law.terms.push_back({1, 3, Sixfold::knots, 8});
+  law.terms.push_back({0, 6, Sixfold::cosine_squared, -25});
+  return law;
+}
+
+/// The same sheet, turned in its plane together with its lattice.
+template <IsotropicLaw L>
+L turned(const L& law, double) {
+  return law;
+}
+inline CauchyBornSixfold turned(CauchyBornSixfold law, double angle) {
+  law.zigzag_rad += angle;
+  return law;
+}
+
 /// Each law on the list, at every Poisson ratio worth trying.
 inline std::vector<NamedLaw> laws() {
   const double modulus = 8.03368;
@@ -52,6 +80,8 @@ inline std::vector<NamedLaw> laws() {
   add("incompressible neo-Hookean", neo_hookean(modulus, 0.5));
   add("incompressible Mooney-Rivlin", MooneyRivlin{modulus, 0.5, 0.2});
   add("Cauchy-Born", some_lattice());
+  add("Cauchy-Born table", some_table());
+  add("Cauchy-Born, sixfold", some_hexagonal_lattice(0));
   return all;
 }
 
