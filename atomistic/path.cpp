@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "atomistic/guide.hpp"
 #include "atomistic/loads/sphere_load.hpp"
 #include "atomistic/ripple.hpp"
 
@@ -133,7 +134,7 @@ void Path::remember(const Step& step) {
   if (step.converged) {
     std::erase_if(states_,
                   [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
-    states_.push_back({t, (step.positions - reference_).head(free_dofs())});
+    states_.push_back({t, (step.positions - reference_).head(free_dofs()), guide(step.target)});
   }
   if (step.converged) curve_.emplace_back(step.depth_A, step.force_eV_per_A);
   if (states_.size() > 3) states_.erase(states_.begin());
@@ -159,7 +160,8 @@ void Path::predict(int number, double level) {
   load_->set_level(level);
   const double t = load_->parameter(level);
   VectorXd x = reference_.head(free_dofs());
-  x += states_.empty() ? load_->first_guess() : extrapolate(states_, t);
+  const auto expected = guide(level);
+  x += states_.empty() && !expected ? load_->first_guess() : extrapolate(states_, t, expected);
   if (problem_.ripple_A > 0)
     x += ripple(sheet_, problem_.ripple_A, problem_.ripple_seed + static_cast<unsigned>(number));
   hold_what_slides(x);
@@ -170,6 +172,8 @@ void Path::predict(int number, double level) {
     factorise(positions_);
   meet_constraint(level);
 }
+
+std::optional<VectorXd> Path::guide(double level) const { return guided_displacement(problem_, sheet_, level); }
 
 /// Moves the prediction onto the constraint along P⁻¹c, the network's own response to the load.
 void Path::meet_constraint(double level) {

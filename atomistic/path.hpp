@@ -40,6 +40,7 @@ class Path {
   void take_over(const std::vector<Step>& finished);
   void remember(const Step& step);
   void factorise(const Eigen::VectorXd& positions);
+  std::optional<Eigen::VectorXd> guide(double level) const;
   void predict(int number, double level);
   void meet_constraint(double level);
   void hold_what_slides(Eigen::VectorXd& gradient) const;

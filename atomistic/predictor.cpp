@@ -29,4 +29,15 @@ VectorXd extrapolate(const std::vector<PathState>& states, double t) {
   return u;
 }
 
+VectorXd extrapolate(const std::vector<PathState>& states, double t, const std::optional<VectorXd>& guide) {
+  if (!guide) return extrapolate(states, t);
+  if (states.empty()) return *guide;
+  std::vector<PathState> rest;
+  for (const PathState& state : states) {
+    if (!state.guide) return extrapolate(states, t);
+    rest.push_back({state.t, state.displacement - *state.guide, {}});
+  }
+  return *guide + extrapolate(rest, t);
+}
+
 }  // namespace atomistic

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace atomistic {
@@ -11,10 +12,16 @@ namespace atomistic {
 struct PathState {
   double t = 0;
   Eigen::VectorXd displacement;
+  std::optional<Eigen::VectorXd> guide;  ///< what a continuum had expected there
 };
 
 /// Extrapolates to t: from one state by scaling (in-plane ∝ t², out-of-plane ∝ t), from two by the secant,
 /// from three by the parabola through them. States in the order of the path, the newest last.
 Eigen::VectorXd extrapolate(const std::vector<PathState>& states, double t);
+
+/// The continuum's expectation at t and the extrapolated rest of it, which is small and smooth. Where a state has no guide, or
+/// there is none here, the states alone are extrapolated. No states: the guide.
+Eigen::VectorXd extrapolate(const std::vector<PathState>& states, double t,
+                            const std::optional<Eigen::VectorXd>& guide);
 
 }  // namespace atomistic

@@ -80,6 +80,14 @@ struct SheetForm {
   std::vector<Eigen::Vector2d> stone_wales;   ///< the bond nearest to each place is turned by 90°, Å
 };
 
+/// What a continuum expects at a level, on the radii 0, spacing, 2 spacing, … up to its rim: displacements outward and along
+/// the load.
+struct Guide {
+  double level = 0;
+  double spacing_A = 0;
+  std::vector<double> outward_A, depth_A;
+};
+
 struct Problem {
   Potential potential;
   Card card;
@@ -89,6 +97,7 @@ struct Problem {
   Load load;
   Control control = Control::conjugate_depth;
   std::vector<double> levels;  ///< conjugate depths (Å), total forces (eV/Å) or pressures (eV/Å³), in the order of the path
+  std::vector<Guide> guides;   ///< where levels start from, for those that have one; the result does not depend on them
   bool unload = false;         ///< then back through the levels that were reached, down to the first
   double force_tolerance_eV_per_A = 1e-5;
   int max_evaluations = 600;   ///< per level; then the path ends as not converged

@@ -10,6 +10,7 @@
 #include "compare/calibration/states.hpp"
 #include "compare/errors.hpp"
 #include "compare/nearest.hpp"
+#include "compare/smooth_curve.hpp"
 
 namespace compare {
 namespace {
@@ -164,6 +165,12 @@ namespace {
 
 namespace axi = membrane::axisymmetric;
 
+axi::Load in_one_dimension(const membrane::Load& load) {
+  if (const auto* disc = std::get_if<membrane::DiscLoad>(&load)) return axi::DiscLoad{disc->radius_A};
+  if (const auto* sphere = std::get_if<membrane::SphereLoad>(&load)) return axi::SphereLoad{sphere->radius_A};
+  return axi::PointLoad{};
+}
+
 SheetExperiment sheet_experiment(const Case& c, const std::string& load, const std::vector<double>& levels,
                                  const PairedSheet& pair, const atomistic::Card& card, Model model,
                                  Constants constants) {
@@ -172,13 +179,13 @@ SheetExperiment sheet_experiment(const Case& c, const std::string& load, const s
   e.run.load = load;
   e.run.constants = constants;
   e.run.a_A = pair.effective_radius_A();
-  e.run.tip_A = pair.effective_tip_A(atomistic_load(c, load));
+  e.run.tip_A = tip_radius_A(twin_of(c, pair, load));
   e.run.Eh_eV_per_A2 = card.sheet_modulus_eV_per_A2();
   e.run.nu = card.nu();
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
   e.run.record_radius_A = pair.sheet().bond_A;
   e.problem.radius_A = e.run.a_A;
-  e.problem.load = axi::DiscLoad{e.run.tip_A};
+  e.problem.load = in_one_dimension(twin_of(c, pair, load));
   e.problem.pretension_eV_per_A2 = c.pretension_eV_per_A2;
   e.problem.record_radius_A = e.run.record_radius_A;
   e.problem.control = dead_forces(c) ? axi::Control::force : axi::Control::conjugate_depth;
@@ -198,11 +205,6 @@ membrane::CauchyBorn prestretched(membrane::CauchyBorn law, double stretch) {
   for (membrane::InvariantTerm& term : law.terms)
     term.coefficient_eV_per_A2 *= std::pow(square, term.a + term.b - 1);
   return law;
-}
-
-axi::Load nominal_load(const Case& c, const std::string& load) {
-  if (std::holds_alternative<membrane::PointLoad>(load_pair(load).nominal(c.tip_radius_A))) return axi::PointLoad{};
-  return axi::DiscLoad{c.tip_radius_A};
 }
 
 }  // namespace
@@ -232,8 +234,32 @@ std::array<SheetExperiment, 3> plain_experiments(const Case& c, const atomistic:
   };
   std::array<SheetExperiment, 3> stages = {plain(Model::membrane), plain(Model::membrane), plain(Model::sheet)};
   stages[0].run.a_A = stages[0].problem.radius_A = c.radius_A;
-  stages[0].problem.load = nominal_load(c, load);
+  stages[0].problem.load = in_one_dimension(load_pair(load).nominal(c.tip_radius_A));
   return stages;
+}
+
+std::vector<atomistic::Guide> guides_from(const axi::SheetProblem& problem) {
+  constexpr double spacing_A = 0.5;  // a third of a bond
+  std::vector<atomistic::Guide> guides;
+  axi::solve(problem, [&](const axi::SheetStep& step) {
+    if (!step.converged) return false;
+    std::vector<double> radius, outward, depth;
+    for (const axi::SheetPoint& point : step.points) {
+      radius.push_back(point.radius_A);
+      outward.push_back(point.displacement_A);
+      depth.push_back(point.depth_A);
+    }
+    const SmoothCurve u(radius, outward), w(radius, depth);
+    atomistic::Guide guide{.level = problem.levels[static_cast<std::size_t>(step.level)], .spacing_A = spacing_A,
+                           .outward_A = {}, .depth_A = {}};
+    for (int i = 0; i * spacing_A < radius.back(); ++i) {
+      guide.outward_A.push_back(u.at(i * spacing_A));
+      guide.depth_A.push_back(w.at(i * spacing_A));
+    }
+    guides.push_back(std::move(guide));
+    return true;
+  });
+  return guides;
 }
 
 LawSummary summary_of(const CalibratedLaw& law, double bending_modulus_eV) {

@@ -83,6 +83,9 @@ SheetExperiment calibrated_experiment(const Case& c, const atomistic::Card& card
 std::array<SheetExperiment, 3> plain_experiments(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
                                                  const std::string& load, const std::vector<double>& levels);
 
+/// The shapes of a continuum at its levels, as far as it goes, for the atoms to start from.
+std::vector<atomistic::Guide> guides_from(const membrane::axisymmetric::SheetProblem& problem);
+
 CardSummary summary_of(const atomistic::Card& card, double artefact_bond_A);
 LawSummary summary_of(const CalibratedLaw& law, double bending_modulus_eV);
 

@@ -136,8 +136,10 @@ class Study {
     pair_.emplace(case_, potential_->potential, *card_);
     for (const std::string& load : case_.loads) {
       const std::vector<double> levels = merged(levels_of(case_), window_levels(load));
-      if (wants_atoms())
+      if (wants_atoms()) {
         atoms_.push_back(atomistic_experiment(case_, potential_->potential, *card_, *pair_, load, levels));
+        if (guided()) atoms_.back().problem.guides = guides_from(calibrated(load, levels, Model::sheet).problem);
+      }
       if (wants_membrane()) add_continua(load, levels);
     }
     if (wants_atoms()) {
@@ -162,6 +164,9 @@ class Study {
     continua_.add_calibrated(plain_experiments(case_, *card_, *pair_, load, finer),
                              calibrated(load, finer, Model::membrane), calibrated(load, finer, Model::sheet));
   }
+
+  /// Rings do not describe a sheet with defects.
+  bool guided() const { return law_ && case_.vacancies_A.empty() && case_.stone_wales_A.empty(); }
 
   SheetExperiment calibrated(const std::string& load, const std::vector<double>& levels, Model model) const {
     return calibrated_experiment(case_, *card_, *law_, *pair_, load, levels, model,

@@ -15,6 +15,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Edge, {{Edge::clamped, "clamped"}, {Edge::sliding, 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DiscLoad, radius_A)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SphereLoad, radius_A, stiffness_eV_per_A3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PressureLoad, following)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Guide, level, spacing_A, outward_A, depth_A)
 static void to_json(nlohmann::json& j, const PointLoad&) { j = nlohmann::json::object(); }
 static void from_json(const nlohmann::json&, PointLoad&) {}
 
@@ -80,6 +81,7 @@ json problem_to_json(const Problem& p) {
           {"load", load_to_json(p.load)},
           {"force_control", p.control == Control::force},
           {"levels", p.levels},
+          {"guides", p.guides},
           {"unload", p.unload},
           {"force_tolerance_eV_per_A", p.force_tolerance_eV_per_A},
           {"max_evaluations", p.max_evaluations},
@@ -98,6 +100,7 @@ Problem problem_from_json(const json& j) {
           .load = load_from_json(j.at("load")),
           .control = j.at("force_control") ? Control::force : Control::conjugate_depth,
           .levels = j.at("levels"),
+          .guides = j.at("guides"),
           .unload = j.at("unload"),
           .force_tolerance_eV_per_A = j.at("force_tolerance_eV_per_A"),
           .max_evaluations = j.at("max_evaluations"),

@@ -70,7 +70,7 @@ Profile profile_of(const SheetPicture& picture) {
 BulgeAtoms bulge_atoms(const BulgePair& pair, const AtomsCurve& curve, const std::vector<double>& membrane_depth_A,
                        const std::vector<SheetPicture>& pictures) {
   BulgeAtoms result;
-  result.card = summary_of(pair.atoms.card);
+  result.card = summary_of(pair.atoms.card, pair.atoms.potential.artefact_bond_A);
   result.atoms = pair.sheet.atoms();
   result.free_atoms = pair.sheet.free_atoms;
   result.membrane_size_x_A = pair.size_A.x();

@@ -71,7 +71,8 @@ std::string scan_commands(const Result& result) {
   for (const Run& run : result.runs) {
     if (run.scan.depth_max_A.size() < 2 || run.constants == Constants::paper) continue;  // one window is no scan
     const bool atoms = run.model == Model::atomistic;
-    scans.push_back({fmt::format("{}, {}", atoms ? "atoms" : "membrane", run.load), run.scan,
+    if (run.model == Model::membrane && run.constants == Constants::calibrated) continue;
+    scans.push_back({fmt::format("{}, {}", atoms ? "atoms" : to_string(run.model), run.load), run.scan,
                      run.Eh_eV_per_A2, run.pretension_eV_per_A2});
   }
   return scans.empty() ? "" : scan_commands(scans);

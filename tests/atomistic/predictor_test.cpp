@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace atomistic;
@@ -31,6 +33,19 @@ TEST(Predictor, ThreeStatesReproduceAParabola) {
 TEST(Predictor, UsesTheNewestThree) {
   std::vector<PathState> states = {{0.5, VectorXd::Constant(6, 99)}, scaling_state(1), scaling_state(1.5), scaling_state(3)};
   EXPECT_TRUE(extrapolate(states, 4).isApprox(scaling_state(4).displacement, 1e-13));
+}
+
+TEST(Extrapolation, AGuideLeavesOnlyItsErrorToExtrapolate) {
+  // A path of any shape, which the guide misses by something linear in t.
+  const auto truth = [](double t) { return VectorXd::Constant(3, std::exp(t)); };
+  const auto guide = [&](double t) { return VectorXd(truth(t).array() - 0.1 * t); };
+  std::vector<PathState> states;
+  EXPECT_TRUE(extrapolate(states, 2, guide(2)).isApprox(guide(2), 1e-14));
+  for (const double t : {1.0, 2.0}) states.push_back({t, truth(t), guide(t)});
+  EXPECT_TRUE(extrapolate(states, 4, guide(4)).isApprox(truth(4), 1e-13));
+  EXPECT_FALSE(extrapolate(states, 4).isApprox(truth(4), 1e-2));
+  states[0].guide.reset();
+  EXPECT_TRUE(extrapolate(states, 4, guide(4)).isApprox(extrapolate(states, 4), 1e-14));
 }
 
 }  // namespace
