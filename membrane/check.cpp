@@ -1,4 +1,5 @@
 // What makes a problem unsolvable before anything is computed.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,6 +26,43 @@ struct SupportsOf {
     return {{Edge::left, s.left}, {Edge::right, s.right}, {Edge::bottom, s.bottom}, {Edge::top, s.top}};
   }
 };
+
+bool holds(Support support) { return support != Support::free; }
+
+/// A load across a sheet needs supports across it.
+void check_held(const Problem& problem) {
+  for (const auto& [edge, support] : std::visit(SupportsOf{}, problem.sheet))
+    if (holds(support)) return;
+  refuse("sheet", "free edges", "some edge must be held, clamped or sliding: nothing bears the load");
+}
+
+/// Edges that end in each other's corners.
+bool meet(Edge a, Edge b) {
+  const auto upright = [](Edge e) { return e == Edge::left || e == Edge::right; };
+  const auto lying = [](Edge e) { return e == Edge::bottom || e == Edge::top; };
+  return (upright(a) && lying(b)) || (lying(a) && upright(b));
+}
+
+/// A node cannot move with one edge and stay with another, or in a symmetry plane that the motion leaves.
+void check_corners(const Problem& problem, const EdgeMotion& motion) {
+  const bool turns = motion.rotation_rad != 0;
+  const bool in_plane = turns || motion.translation_A.head<2>().norm() > 0,
+             across = motion.translation_A.z() != 0;
+  for (const auto& [edge, support] : std::visit(SupportsOf{}, problem.sheet))
+    if (meet(edge, motion.edge) && (support == Support::clamped || (support == Support::sliding && across)))
+      refuse("load.edge", int(motion.edge),
+             "it meets an edge that stays: its corner cannot do both; let that edge be free");
+  const auto* rectangle = std::get_if<RectangleSheet>(&problem.sheet);
+  const auto* disc = std::get_if<DiscSheet>(&problem.sheet);
+  if (disc && disc->extent == Extent::quarter && in_plane)
+    refuse("load.translation_A", motion.translation_A.transpose(),
+           "a quarter's rim moves out of its symmetry planes: mesh the full sheet");
+  if (!rectangle || rectangle->extent == Extent::full) return;
+  const double along = motion.edge == Edge::right ? motion.translation_A.y() : motion.translation_A.x();
+  if (turns || along != 0)
+    refuse("load.translation_A", motion.translation_A.transpose(),
+           "a quarter's edge moves out of its symmetry plane: mesh the full sheet");
+}
 
 void check_closed(const Problem& problem, const char* member) {
   for (const auto& [edge, support] : std::visit(SupportsOf{}, problem.sheet))
@@ -59,9 +97,8 @@ struct CheckLoad {
   void operator()(const PressureLoad&) const {
     check_closed(problem, "load");
     if (problem.pressure_eV_per_A3 != 0)
-      refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be 0 where the load is a pressure itself");
-    if (problem.control != Control::force)
-      refuse("control", "conjugate_depth", "the levels of a pressure are pressures: control must be force");
+      refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3,
+             "must be 0 where the load is a pressure itself");
   }
   void operator()(const EdgeMotion& motion) const {
     const auto supports = std::visit(SupportsOf{}, problem.sheet);
@@ -72,6 +109,7 @@ struct CheckLoad {
       refuse("load.translation_A", motion.translation_A.transpose(), "the motion must be finite");
     if (motion.translation_A.norm() + std::abs(motion.rotation_rad) == 0)
       refuse("load.translation_A", 0, "the edge does not move: give a translation or a rotation");
+    check_corners(problem, motion);
     if (problem.control != Control::conjugate_depth)
       refuse("control", "force", "a motion is prescribed: control must be conjugate_depth");
     if (problem.pressure_eV_per_A3 != 0)
@@ -80,6 +118,7 @@ struct CheckLoad {
 
  private:
   void has_centre() const {
+    check_held(problem);
     if (std::holds_alternative<AnnulusSheet>(problem.sheet))
       refuse("load", "on the centre", "an annulus has no centre: move its hub instead");
   }
@@ -123,9 +162,19 @@ void check_directions(const Problem& problem) {
            "breaks the symmetry of a quarter: mesh the full sheet");
 }
 
+bool compressive(const Eigen::Matrix2d& prestress) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(prestress).eigenvalues()[0] < 0;
+}
+
 void check_levels(const Problem& problem) {
-  if (problem.levels.empty()) refuse("levels", "[]", "at least one is needed");
+  if (problem.levels.empty())
+    refuse("levels", "[]", "at least one is needed: without a load there is nothing to solve");
   const bool bulged = problem.pressure_eV_per_A3 != 0;  // then depths of either sign make sense
+  const bool compressed = compressive(problem.prestress_eV_per_A2);
+  if (compressed && !bulged && *std::min_element(problem.levels.begin(), problem.levels.end()) == 0)
+    refuse("prestress_eV_per_A2", problem.prestress_eV_per_A2.reshaped().transpose(),
+           "is compressive, and nothing loads the sheet at level 0: it hangs slack, or buckles if it is not "
+           "relaxed");
   for (double level : problem.levels)
     if (!std::isfinite(level) || (!bulged && !(level > 0)))
       refuse("levels", level, bulged ? "every level must be finite" : "every level must be positive and finite");

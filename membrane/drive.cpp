@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "membrane/loads/mean_depth.hpp"
 #include "membrane/nested_start.hpp"
 #include "membrane/predictor.hpp"
 #include "membrane/start.hpp"
@@ -11,6 +12,10 @@ namespace membrane {
 namespace {
 
 using Eigen::VectorXd;
+
+// Cells along an edge of the coarsest rectangle that a path begins on: enough for the tucks of a bulge; a
+// plane sheet has none.
+constexpr int cells_for_tucks = 20, cells_in_plane = 5;
 
 /// Half way on the scale on which a sheet's response from flat is a straight line, the logarithmic one.
 double half_way(double here, double value) { return here == 0 ? value / 8 : std::sqrt(here / value) * value; }
@@ -39,7 +44,7 @@ class PatternDrive : public Drive {
     return u;
   }
 
-  Target target(double value) const override {
+  Target target(double value) override {
     return {problem_.control, problem_.control == Control::force ? on_part(value) : value};
   }
 
@@ -120,51 +125,61 @@ class BulgedPatternDrive final : public PatternDrive {
   }
 };
 
-/// A pressure towards −z. Path variables are the force p A and the mean depth V/A, its conjugate.
+/// A pressure towards −z, by its value or by the mean depth V/A, which is conjugate to the force p A.
 class PressureDrive final : public Drive {
  public:
-  PressureDrive(const Problem& problem, Model& model, Newton& newton)
-      : problem_(problem), model_(model), newton_(newton) {}
+  PressureDrive(const Problem& problem, Control control, Model& model, Newton& newton)
+      : problem_(problem), control_(control), model_(model), newton_(newton) {}
 
   VectorXd guess(double value) override {
     sign_ = value < 0 ? -1 : 1;
-    set(value);
-    if (!predictor_.empty()) return predictor_.displacements(predictor_.conjugate_depth(std::abs(value) * area_));
+    if (control_ == Control::force)
+      model_.set_pressure(value);
+    else
+      depth_.set_force(predictor_.empty() ? 0 : predictor_.last().force_eV_per_A);
+    if (!predictor_.empty())
+      return predictor_.displacements(
+          control_ == Control::force ? predictor_.conjugate_depth(std::abs(value) * area_) : value);
     if (std::holds_alternative<PressureLoad>(problem_.load))
-      if (const auto guess = guess_from_coarser(problem_, value)) return *guess;
+      if (const auto guess = guess_from_coarser(problem_, value, cells_for_tucks)) return *guess;
     return first_guess(value);
   }
 
-  Target target(double) const override { return {Control::force, 0}; }
+  Target target(double value) override {
+    if (control_ == Control::force) return {Control::force, 0};
+    return {Control::conjugate_depth, value, &depth_};
+  }
 
   void passed(double value, const Equilibrium&, const VectorXd& u) override {
     value_ = value;
-    predictor_.add({-sign_ * model_.pressure().volume(u) / area_, std::abs(value) * area_, 0, u});
+    predictor_.add({sign_ * depth_.of(u), sign_ * depth_.force(), 0, u});
   }
 
   double between(double value) const override { return half_way(value_, value); }
-  const char* unit() const override { return "eV/Å³"; }
+  const char* unit() const override { return control_ == Control::force ? "eV/Å³" : "Å of mean depth"; }
 
  private:
-  void set(double value) { model_.set_pressure(value); }
-
+  /// The flat sheet's answer to the load, as far as the pressure wants it; a volume is restored by Newton's
+  /// method.
   VectorXd first_guess(double value) {
-    VectorXd forces = VectorXd::Zero(model_.energy().dof_count());
-    model_.pressure().add_gradient(VectorXd::Zero(forces.size()), forces);
-    forces = -forces;
-    set(0);
-    const VectorXd shape = StiffenedSheet(model_, newton_).under_forces(forces);
-    VectorXd u = balanced_amplitude(model_, shape, forces) * shape;
-    set(value);
+    const VectorXd flat = VectorXd::Zero(model_.energy().dof_count());
+    const VectorXd unit = sign_ * area_ * depth_.direction(flat);
+    model_.set_pressure(0);
+    const VectorXd shape = StiffenedSheet(model_, newton_).under_forces(unit);
+    if (control_ == Control::conjugate_depth) return value / depth_.of(shape) * shape;
+    VectorXd u = balanced_amplitude(model_, shape, std::abs(value) * unit) * shape;
+    model_.set_pressure(value);
     model_.park_indenter(u);
     return u;
   }
 
   const Problem& problem_;
+  Control control_;
   Model& model_;
   Newton& newton_;
   Predictor predictor_;
   double area_ = model_.mesh().area_A2();
+  MeanDepth depth_{model_};
   double value_ = 0;
   double sign_ = 1;
 };
@@ -172,8 +187,8 @@ class PressureDrive final : public Drive {
 /// A clamped edge that moves.
 class MotionDrive final : public Drive {
  public:
-  MotionDrive(const EdgeMotion& motion, Model& model, Newton& newton)
-      : motion_(motion), model_(model), newton_(newton) {}
+  MotionDrive(const Problem& problem, Model& model, Newton& newton)
+      : problem_(problem), motion_(std::get<EdgeMotion>(problem.load)), model_(model), newton_(newton) {}
 
   VectorXd guess(double value) override {
     VectorXd u = predictor_.empty() ? first_guess(value) : predictor_.displacements(value);
@@ -181,7 +196,7 @@ class MotionDrive final : public Drive {
     return u;
   }
 
-  Target target(double) const override { return {Control::force, 0}; }
+  Target target(double) override { return {Control::force, 0}; }
   void passed(double value, const Equilibrium&, const VectorXd& u) override {
     value_ = value;
     predictor_.add({value, 0, 0, u});
@@ -191,11 +206,13 @@ class MotionDrive final : public Drive {
 
  private:
   VectorXd first_guess(double value) {
+    if (const auto guess = guess_from_coarser(problem_, value, cells_in_plane)) return *guess;
     VectorXd held = VectorXd::Zero(model_.energy().dof_count());
     model_.move_edge(motion_, value, held);
     return StiffenedSheet(model_, newton_).under_motion(held);
   }
 
+  const Problem& problem_;
   EdgeMotion motion_;
   Model& model_;
   Newton& newton_;
@@ -206,9 +223,10 @@ class MotionDrive final : public Drive {
 }  // namespace
 
 std::unique_ptr<Drive> make_drive(const Problem& problem, Model& model, Newton& newton) {
-  if (std::holds_alternative<PressureLoad>(problem.load)) return pressure_drive(problem, model, newton);
-  if (const auto* motion = std::get_if<EdgeMotion>(&problem.load))
-    return std::make_unique<MotionDrive>(*motion, model, newton);
+  if (std::holds_alternative<PressureLoad>(problem.load))
+    return std::make_unique<PressureDrive>(problem, problem.control, model, newton);
+  if (std::holds_alternative<EdgeMotion>(problem.load))
+    return std::make_unique<MotionDrive>(problem, model, newton);
   return std::make_unique<PatternDrive>(problem, model, newton, from_flat);
 }
 
@@ -217,7 +235,7 @@ std::unique_ptr<Drive> make_drive_from(const Problem& problem, Model& model, New
 }
 
 std::unique_ptr<Drive> pressure_drive(const Problem& problem, Model& model, Newton& newton) {
-  return std::make_unique<PressureDrive>(problem, model, newton);
+  return std::make_unique<PressureDrive>(problem, Control::force, model, newton);
 }
 
 }  // namespace membrane

@@ -17,7 +17,7 @@ class Drive {
   /// energy.
   virtual Eigen::VectorXd guess(double value) = 0;
   /// What Newton's method keeps to.
-  virtual Target target(double value) const = 0;
+  virtual Target target(double value) = 0;
   /// An equilibrium was reached.
   virtual void passed(double value, const Equilibrium& at, const Eigen::VectorXd& u) = 0;
   /// A value between the present one and one that could not be reached.
@@ -31,7 +31,7 @@ std::unique_ptr<Drive> make_drive(const Problem& problem, Model& model, Newton& 
 /// The load of a problem, from a bulged sheet in equilibrium.
 std::unique_ptr<Drive> make_drive_from(const Problem& problem, Model& model, Newton& newton, const Eigen::VectorXd& bulged);
 
-/// A pressure towards −z, from the flat sheet.
+/// A pressure towards −z by its value, from the flat sheet.
 std::unique_ptr<Drive> pressure_drive(const Problem& problem, Model& model, Newton& newton);
 
 }  // namespace membrane

@@ -182,6 +182,8 @@ class LoadPath {
     step.force_eV_per_A = copies * at.force_eV_per_A;
     step.pressure_eV_per_A3 = model_.pressure_towards_tip();
     step.volume_A3 = -copies * model_.pressure().volume(end.u);
+    if (std::holds_alternative<PressureLoad>(problem_.load))
+      step.conjugate_depth_A = step.volume_A3 / (copies * mesh.area_A2());
     step.energy_eV = copies * model_.stretching_energy(end.u);
     step.relative_residual = at.relative_residual;
     step.residual_history = at.residual_history;

@@ -3,15 +3,10 @@
 #include "membrane/sheets/rectangle.hpp"
 
 namespace membrane {
-namespace {
 
-constexpr int coarse_enough = 20;  // cells along an edge
-
-}  // namespace
-
-std::optional<Eigen::VectorXd> guess_from_coarser(const Problem& problem, double value) {
+std::optional<Eigen::VectorXd> guess_from_coarser(const Problem& problem, double value, int coarsest) {
   const auto* fine = std::get_if<RectangleSheet>(&problem.sheet);
-  if (!fine || std::min(fine->cells_x, fine->cells_y) <= coarse_enough || fine->cells_x % 2 || fine->cells_y % 2)
+  if (!fine || std::min(fine->cells_x, fine->cells_y) <= coarsest || fine->cells_x % 2 || fine->cells_y % 2)
     return std::nullopt;
   RectangleSheet coarse = *fine;
   coarse.cells_x /= 2;

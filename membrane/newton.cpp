@@ -5,13 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "membrane/line_search.hpp"
+
 namespace membrane {
 namespace {
 
-constexpr double rounding = 3e-14;  // of the triangles' forces on the nodes: no residual gets below it
-constexpr double armijo = 1e-4;         // share of the promised decrease that a step must deliver
+constexpr double rounding = 3e-14;      // of the triangles' forces on the nodes: no residual gets below it
 constexpr double energy_noise = 1e-12;  // relative; below it energies do not tell better from worse
-constexpr double shortest_step = 1e-8;
 constexpr double least_damping = 1e-7;  // of the largest diagonal entry of the tangent
 
 /// A sheet that is slack at the given depth carries no load and has no residual.
@@ -68,18 +68,40 @@ double Newton::load_norm(double force) const {
   return load > 0 ? load : (gradient_ - residual_).norm();  // the held part
 }
 
+/// Whether the supports carry the load across the sheet: what is missing is the sum of the residual.
+bool Newton::balanced() const {
+  const auto across = [](const Eigen::VectorXd& v) { return v.reshaped(3, v.size() / 3).row(2).sum(); };
+  Eigen::VectorXd free = gradient_;
+  total_.release_held(free);
+  return std::abs(across(residual_)) <= options_.relative_residual * std::abs(across(gradient_ - free));
+}
+
 /// Force, residual and whether it is small enough, at the u of energy_ and gradient_.
 void Newton::measure(const Target& target, Equilibrium& at) {
-  at.force_eV_per_A = force_at(target);
+  multiplier_ = force_at(target);
+  at.force_eV_per_A = multiplier_ + (target.curved ? target.curved->force() : 0);
   at.energy_eV = energy_;
   at.compliance = response_.dot(direction_);
   at.smallest_pivot_sign = pivot_sign_;
-  residual_ = gradient_ - at.force_eV_per_A * direction_;
+  residual_ = gradient_ - multiplier_ * direction_;
   total_.release_held(residual_);
   const double residual = residual_.norm();
   at.relative_residual = relative(residual, load_norm(at.force_eV_per_A));
-  at.converged = std::isfinite(residual) && (at.relative_residual <= options_.relative_residual ||
-                                             residual <= rounding * total_.part_norm());
+  at.converged =
+      std::isfinite(residual) && ((at.relative_residual <= options_.relative_residual && balanced()) ||
+                                  residual <= rounding * total_.part_norm());
+}
+
+/// A curved depth's direction turns with u, and what the multiplier found missing of its force belongs to its
+/// energy.
+void Newton::follow_curve(const Target& target, const Eigen::VectorXd& u) {
+  if (!target.curved) return;
+  target.curved->set_force(target.curved->force() + multiplier_);
+  multiplier_ = 0;
+  energy_ = total_.energy(u, gradient_);
+  direction_ = target.curved->direction(u);
+  total_.release_held(direction_);
+  if (factor_.ready()) response_ = factor_.solve(direction_);
 }
 
 /// A short step says that the tangent promised too much: the next ones are held shorter. Wrinkled and slack zones of a
@@ -91,34 +113,32 @@ void Newton::adapt_damping(double step_length) {
     damping_ = damping_ > least_damping ? damping_ / 4 : 0;
 }
 
-/// Moves u, energy_ and gradient_ along step_ as far as the potential energy U − F d falls enough. Where its
-/// change drowns in rounding, the slope decides instead (approximate Wolfe, Hager & Zhang 2005).
-bool Newton::line_search(double force, Eigen::VectorXd& u) {
-  const double slope = residual_.dot(step_);
-  const double work = force * direction_.dot(step_);
-  for (double length = 1; length > shortest_step;) {
+/// Moves u, energy_ and gradient_ along step_ as far as the potential energy U − F d falls enough.
+bool Newton::move(const Target& target, Eigen::VectorXd& u) {
+  const double work = multiplier_ * direction_.dot(step_);
+  double trial_energy = 0;
+  const double length = line_search(residual_.dot(step_), [&](double length) {
     trial_ = u + length * step_;
-    const double trial_energy = total_.energy(trial_, trial_gradient_);
-    const double change = trial_energy - energy_ - length * work;
-    const double noise = energy_noise * (std::abs(energy_) + std::abs(length * work));
-    const bool down = std::abs(change) > noise ? change <= armijo * length * slope
-                                               : trial_gradient_.dot(step_) - work <= 0.9 * std::abs(slope);
-    if (down) {
-      adapt_damping(length);
-      u.swap(trial_);
-      gradient_.swap(trial_gradient_);
-      energy_ = trial_energy;
-      return true;
-    }
-    const double parabola = -0.5 * slope * length * length / (change - slope * length);
-    length = std::isfinite(parabola) ? std::clamp(parabola, 0.1 * length, 0.5 * length) : 0.1 * length;
-  }
-  return false;
+    if (target.curved) target.curved->restore(target.value, trial_);
+    trial_energy = total_.energy(trial_, trial_gradient_);
+    return Trial{.change = trial_energy - energy_ - length * work,
+                 .noise = energy_noise * (std::abs(energy_) + std::abs(length * work)),
+                 .slope = trial_gradient_.dot(step_) - work};
+  });
+  if (length == 0) return false;
+  adapt_damping(length);
+  u.swap(trial_);
+  gradient_.swap(trial_gradient_);
+  energy_ = trial_energy;
+  return true;
 }
 
 Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor first) {
   Equilibrium at;
+  if (target.curved) target.curved->restore(target.value, u);
   energy_ = total_.energy(u, gradient_);
+  multiplier_ = 0;
+  follow_curve(target, u);
   damping_ = 0;
   bool wants_factor = first == FirstFactor::fresh || !factor_.ready();
   bool fresh = false;  // the factor is that of this very u
@@ -139,7 +159,8 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor 
       continue;
     }
     step_ = -factor_.solve(residual_);
-    if (line_search(at.force_eV_per_A, u)) {
+    if (move(target, u)) {
+      follow_curve(target, u);
       at.residual_history.push_back(at.relative_residual);
       ++at.iterations;
       before = at.relative_residual;
@@ -154,6 +175,7 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor 
       wants_factor = true;
     }
   }
+  follow_curve(target, u);
   at.residual_history.push_back(at.relative_residual);
   if (!at.converged) at.reason = "no equilibrium within " + std::to_string(options_.most_iterations) + " iterations";
   return at;

@@ -31,7 +31,8 @@ struct SphereLoad {
   double radius_A = 0;
 };
 
-/// Follower pressure towards −z: levels are pressures, eV/Å³. Edges must stay in the plane z = 0.
+/// Follower pressure towards −z: levels are pressures, eV/Å³, or mean depths (volume under the sheet over its
+/// area, Å). Edges must stay in the plane z = 0.
 struct PressureLoad {};
 
 /// A clamped edge moves as a rigid body: levels are multiples of this motion.
@@ -44,12 +45,12 @@ struct EdgeMotion {
 
 using Load = std::variant<PointLoad, DiscLoad, RadialLoad, SphereLoad, PressureLoad, EdgeMotion>;
 
-/// What the levels prescribe: the load's displacement (depth, motion) or its force (force, pressure). A pressure is
-/// always a force, a motion always a displacement.
+/// What the levels prescribe: the load's displacement (depth, mean depth, motion) or its force (force,
+/// pressure). A motion is always a displacement.
 enum class Control { conjugate_depth, force };
 
 struct SolverOptions {
-  double relative_residual = 1e-8;  ///< |free residual| / |applied load|
+  double relative_residual = 1e-8;  ///< |free residual| / |applied load|; supports and load differ by no more
   int most_iterations = 400;        ///< Newton steps of one search for an equilibrium
   bool keep_factor = true;          ///< go on with an old factor while it serves; false: a new one each step
 };
@@ -73,7 +74,7 @@ struct Step {
   int level = 0;  ///< index into Problem::levels
   bool converged = false;
   double depth_A = 0;            ///< −z at record_radius_A
-  double conjugate_depth_A = 0;  ///< Σ p_i (−z_i) of the load pattern; of a sphere its own; else 0
+  double conjugate_depth_A = 0;  ///< Σ p_i (−z_i) of the load pattern; of a sphere its own, of a pressure volume / area
   double force_eV_per_A = 0;     ///< of a pattern or a sphere; else 0
   double pressure_eV_per_A3 = 0;
   double volume_A3 = 0;          ///< between the sheet and its plane, positive on the side of −z

@@ -79,6 +79,21 @@ void balance(Ledger& ledger) {
                closed_form(1, "balance of forces"), 1e-8);
 }
 
+/// r_(k+1) ~ r_k²: from the last three residuals above rounding, with a new tangent at each step.
+void newton(Ledger& ledger) {
+  Problem problem = round_sheet(110, 8.03368, 0.19, 36);
+  problem.load = DiscLoad{10};
+  problem.levels = {20};
+  problem.solver = {.relative_residual = 1e-12, .keep_factor = false};
+  std::vector<double> r = solved_last(problem).residual_history;
+  const std::string series = fmt::format("relative residuals {:.0e}", fmt::join(r, ", "));
+  while (r.size() > 3 && r.back() < 1e-11) r.pop_back();
+  const auto fall = [&](std::size_t back) { return std::log(r[r.size() - back] / r[r.size() - back - 1]); };
+  ledger.begin("Newton's method, disc of 10 A, 20 A deep");
+  ledger.at_least("order of its end", fall(1) / fall(2), closed_form(1.7, "quadratic: 2 in the limit"),
+                  series);
+}
+
 }  // namespace
 
 void verify_disc(Ledger& ledger) {
@@ -86,6 +101,7 @@ void verify_disc(Ledger& ledger) {
   of_record(ledger);
   shallow(ledger);
   balance(ledger);
+  newton(ledger);
 }
 
 }  // namespace compare::verify

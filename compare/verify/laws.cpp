@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/verify/groups.hpp"
+#include "compare/verify/law_cases.hpp"
 #include "compare/verify/misprints.hpp"
 #include "compare/verify/taylor.hpp"
 #include "membrane/kinematics.hpp"
@@ -172,6 +173,7 @@ void verify_laws(Ledger& ledger) {
     ledger.begin(name);
     std::visit([&](const auto& any) { verify_law(ledger, any); }, law);
   }
+  verify_law_cases(ledger);
   verify_misprints(ledger);
 }
 

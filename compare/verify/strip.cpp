@@ -79,13 +79,13 @@ BentStrip answer(double band, int cells) {
 }  // namespace
 
 void verify_bent_strip(Ledger& ledger) {
-  constexpr int cells = 10;
+  constexpr int cells = 20;
   for (const char* ratio : {"0.2", "0.3", "0.4"}) {
     const Reference band = tabulated(fmt::format("bent_strip_band.M_{}PH", ratio));
     const BentStrip coarse = answer(band.value, cells), fine = answer(band.value, 2 * cells);
     ledger.begin(fmt::format("strip in bending, M = {} PH, nu = 0", ratio));
     ledger.converging("M/(PH)",
-                      {coarse.moment_over_force, fine.moment_over_force, "10 x 10 and 20 x 20 x 2 triangles"},
+                      {coarse.moment_over_force, fine.moment_over_force, "20 x 20 and 40 x 40 x 2 triangles"},
                       {std::stod(ratio), band.origin}, 2, 0.03);
     ledger.equal("band/H", fine.band,
                  closed_form(3 * fine.moment_over_force - 0.5,

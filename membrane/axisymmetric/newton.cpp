@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "membrane/line_search.hpp"
+
 namespace membrane::axisymmetric {
 namespace {
 
@@ -10,10 +12,8 @@ constexpr double aim = 1e-11;
 constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
 constexpr int most_searches = 200;
 constexpr int most_whole_steps = 40;
-constexpr double armijo = 1e-4;
 constexpr double energy_noise = 1e-13;  // of the sum of the terms
-constexpr double shortest_step = 1e-9;
-constexpr double first_shift = 1e-10;  // of the diagonal
+constexpr double first_shift = 1e-10;   // of the diagonal
 constexpr double shift_growth = 30;
 
 }  // namespace
@@ -32,29 +32,23 @@ bool Newton::factorise(const Eigen::VectorXd& x) {
   return false;
 }
 
-/// Moves x along step_ as far as the energy falls enough; where its change drowns in rounding the slope
-/// decides (approximate Wolfe, Hager & Zhang 2005).
-bool Newton::line_search(Eigen::VectorXd& x) {
-  const double slope = residual_.dot(step_);
+/// Moves x, energy_ and gradient_ along step_ as far as the energy falls enough.
+bool Newton::move(Eigen::VectorXd& x) {
   double scale = 0;
   for (double part : assembly_.parts()) scale += std::abs(part);
-  for (double length = 1; length > shortest_step;) {
+  const double noise = energy_noise * scale;
+  double trial_energy = 0;
+  const double length = line_search(residual_.dot(step_), [&](double length) {
     trial_ = x + length * step_;
-    const double trial_energy = assembly_.energy(trial_, trial_gradient_);
-    const double change = trial_energy - energy_;
-    const bool down = std::abs(change) > energy_noise * scale
-                          ? change <= armijo * length * slope
-                          : trial_gradient_.dot(step_) <= 0.9 * std::abs(slope) + energy_noise * scale;
-    if (down) {
-      x.swap(trial_);
-      gradient_.swap(trial_gradient_);
-      energy_ = trial_energy;
-      return true;
-    }
-    const double parabola = -0.5 * slope * length * length / (change - slope * length);
-    length = std::isfinite(parabola) ? std::clamp(parabola, 0.1 * length, 0.5 * length) : 0.1 * length;
-  }
-  return false;
+    trial_energy = assembly_.energy(trial_, trial_gradient_);
+    return Trial{
+        .change = trial_energy - energy_, .noise = noise, .slope = trial_gradient_.dot(step_) - noise};
+  });
+  if (length == 0) return false;
+  x.swap(trial_);
+  gradient_.swap(trial_gradient_);
+  energy_ = trial_energy;
+  return true;
 }
 
 Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
@@ -90,7 +84,7 @@ Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, in
     if (!search) {
       x += step_;
       energy_ = assembly_.energy(x, gradient_);
-    } else if (!line_search(x)) {
+    } else if (!move(x)) {
       at.reason = "the line search found no lower energy";
       return at;
     }

@@ -34,7 +34,7 @@ class Newton {
  private:
   bool factorise(const Eigen::VectorXd& x);
   Equilibrium solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, int most_iterations, bool search);
-  bool line_search(Eigen::VectorXd& x);
+  bool move(Eigen::VectorXd& x);
 
   Assembly& assembly_;
   BlockTridiagonal hessian_;

@@ -45,19 +45,23 @@ void Pressure::locate(const Hessian& hessian) {
       places_[t][a] = hessian.place(mesh_.triangles[t].nodes[a], mesh_.triangles[t].nodes[(a + 1) % 3]);
 }
 
-/// The follower load itself, p n dA / 3 on each corner. On what may move it is the gradient of −p V; on the supports it is
-/// what they bear, which the cone's gradient is not.
-double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) {
-  if (pressure_ == 0) return 0;
-  double volume = 0;
+/// The follower load of a unit of pressure, n dA / 3 on each corner. On what may move it is the gradient of
+/// V; on the supports it is what they bear, which the cone's gradient is not.
+Eigen::VectorXd Pressure::volume_gradient(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(u.size());
   for (const Triangle& triangle : mesh_.triangles) {
     const Eigen::Matrix3d x = positions(mesh_, triangle, u);
     Eigen::Vector3d area = 0.5 * (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
     if (broken(Fault::dead_pressure)) area.head<2>().setZero();
-    for (int node : triangle.nodes) gradient.segment<3>(3 * node) -= pressure_ / 3 * area;
-    volume += x.col(0).dot(area) / 3;
+    for (int node : triangle.nodes) gradient.segment<3>(3 * node) += area / 3;
   }
-  return -pressure_ * volume;
+  return gradient;
+}
+
+double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) {
+  if (pressure_ == 0) return 0;
+  gradient -= pressure_ * volume_gradient(u);
+  return -pressure_ * volume(u);
 }
 
 /// The gradient of −p V by a corner is −p (x_b × x_c)/6, and d(x_b × x_c)/dx_b = −cross(x_c): the block of the corners

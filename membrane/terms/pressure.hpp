@@ -23,6 +23,8 @@ class Pressure final : public EnergyTerm {
 
   /// Å³, of the meshed part.
   double volume(const Eigen::VectorXd& u) const;
+  /// dV/du (Å²) where nodes may move; at supports what they bear of a unit of pressure.
+  Eigen::VectorXd volume_gradient(const Eigen::VectorXd& u) const;
 
   void couple(NodePairs& pairs) const override;
   void locate(const Hessian& hessian) override;

@@ -1,4 +1,4 @@
-// The relaxed St Venant–Kirchhoff law against numbers of independent codes (data/README.md).
+// The relaxed St Venant–Kirchhoff law against numbers of independent codes (compare/verify/README.md).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,7 +12,7 @@ namespace membrane {
 namespace {
 
 nlohmann::json read(const std::string& name) {
-  std::ifstream file(std::string(MEMBRANE_TEST_DATA "/") + name);
+  std::ifstream file(std::string(LAW_CASES "/") + name);
   return nlohmann::json::parse(file);
 }
 

@@ -1,4 +1,4 @@
-// Spheres, pressures, moving edges and combinations, by solve(), against solvers written separately.
+// Spheres, moving edges and combinations, by solve(), against solvers written separately.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,34 +6,22 @@
 
 #include "compare/verify/reference_numbers.hpp"
 #include "membrane/fields.hpp"
-#include "membrane/problem.hpp"
+#include "solved_path.hpp"
 
 namespace membrane {
 namespace {
 
 double number(const char* name) { return reference::number(name).value; }
 using std::numbers::pi;
+using testing::disc_problem;
+using testing::solved_path;
 
 constexpr double N_per_m = 16.02176634;  // one eV/Å²
 
-std::vector<Step> path(const Problem& problem) {
-  std::vector<Step> steps;
-  const Report report = solve(problem, [&](const Step& step) {
-    steps.push_back(step);
-    return true;
-  });
-  EXPECT_TRUE(report.converged) << report.reason;
-  EXPECT_EQ(steps.size(), problem.levels.size());
-  return steps;
-}
-
-Problem disc(double modulus, double nu, double radius, Load load, Control control, std::vector<double> levels) {
-  Problem problem;
-  problem.sheet = DiscSheet{.radius_A = radius};
-  problem.law = StVenantKirchhoff{modulus, nu};
-  problem.load = std::move(load);
+Problem disc(double modulus, double nu, double radius, Load load, Control control,
+             std::vector<double> levels) {
+  Problem problem = disc_problem(modulus, nu, std::move(load), std::move(levels), radius);
   problem.control = control;
-  problem.levels = std::move(levels);
   return problem;
 }
 
@@ -47,7 +35,7 @@ TEST(Sphere, ForceAndBalance) {
   const double nN = 1.602176634;
   const double forces[] = {number("sphere_16.5_nm.force_at_20_nm"), number("sphere_16.5_nm.force_at_50_nm"),
                            number("sphere_16.5_nm.force_at_100_nm")};
-  for (const Step& step : path(figure1_sphere({200, 500, 1000}))) {
+  for (const Step& step : solved_path(figure1_sphere({200, 500, 1000}))) {
     EXPECT_NEAR(step.force_eV_per_A * nN / forces[step.level], 1, 1.5e-3) << step.conjugate_depth_A;
     EXPECT_NEAR(step.support_force_eV_per_A.z() / step.force_eV_per_A, 1, 1e-7);
     EXPECT_LE(step.penetration_A, 1e-6 * 165);
@@ -56,33 +44,15 @@ TEST(Sphere, ForceAndBalance) {
 
 TEST(Sphere, BothControlsFindTheSameState) {
   Problem problem = figure1_sphere({500});
-  const Step by_depth = path(problem).at(0);
+  const Step by_depth = solved_path(problem).at(0);
   problem.control = Control::force;
   problem.levels = {by_depth.force_eV_per_A};
-  EXPECT_NEAR(path(problem).at(0).conjugate_depth_A, 500, 1e-5);
+  EXPECT_NEAR(solved_path(problem).at(0).conjugate_depth_A, 500, 1e-5);
 }
 
 TEST(Sphere, ForceIsTheDerivativeOfTheEnergy) {
-  const auto steps = path(figure1_sphere({499, 500, 501}));
+  const auto steps = solved_path(figure1_sphere({499, 500, 501}));
   EXPECT_NEAR((steps[2].energy_eV - steps[0].energy_eV) / 2 / steps[1].force_eV_per_A, 1, 1e-5);
-}
-
-TEST(PressurePath, FiniteStrainAgainstTheOneDimensionalSolver) {
-  const double expected[] = {number("svk_pressure_height.nu_0.3.load_1e-4"), number("svk_pressure_height.nu_0.3.load_1e-3"),
-                             number("svk_pressure_height.nu_0.3.load_1e-2"), number("svk_pressure_height.nu_0.3.load_1e-1")};
-  Problem problem = disc(8, 0.3, 110, PressureLoad{}, Control::force, {});
-  for (double load : {1e-4, 1e-3, 1e-2, 1e-1}) problem.levels.push_back(load * 8 / 110);
-  for (const Step& step : path(problem)) {
-    EXPECT_NEAR(step.depth_A / 110 / expected[step.level], 1, 7e-4) << step.pressure_eV_per_A3;
-    EXPECT_GT(step.volume_A3, 0);
-    EXPECT_EQ(step.smallest_pivot_sign, 1);
-  }
-}
-
-TEST(PressurePath, SupportsCarryThePressureOnTheProjectedDisc) {
-  const Step step = path(disc(8, 0.3, 110, PressureLoad{}, Control::force, {1e-3})).at(0);
-  const Mesh mesh = make_mesh(DiscSheet{.radius_A = 110});
-  EXPECT_NEAR(step.support_force_eV_per_A.z() / (1e-3 * 4 * mesh.area_A2()), 1, 1e-7);
 }
 
 TEST(EdgeMotions, HubTorqueOfAWrinkledAnnulus) {
@@ -93,7 +63,7 @@ TEST(EdgeMotions, HubTorqueOfAWrinkledAnnulus) {
       problem.law = StVenantKirchhoff{8, 0};
       problem.load = EdgeMotion{.edge = Edge::hub, .rotation_rad = 1};
       problem.levels = {1e-4};
-      const Step step = path(problem).at(0);
+      const Step step = solved_path(problem).at(0);
       EXPECT_LE(step.edge_force_eV_per_A.norm() * 50, 1e-9 * std::abs(step.edge_torque_eV));
       const SheetFields fields = fields_of(problem, mesh_of(problem), step);
       EXPECT_GT(fields.wrinkled_area_fraction, 0.999);
@@ -115,7 +85,7 @@ TEST(EdgeMotions, StretchedStripFollowsHooke) {
   problem.law = StVenantKirchhoff{8, 0.3};
   problem.load = EdgeMotion{.edge = Edge::right, .translation_A = {1, 0, 0}};
   problem.levels = {4};
-  const Step step = path(problem).at(0);
+  const Step step = solved_path(problem).at(0);
   const SheetFields fields = fields_of(problem, mesh_of(problem), step);
   const std::size_t middle = 2 * (4 * 80 + 40);  // two triangles a cell, rows of 80
   const double stretch = std::sqrt(1 + 2 * fields.strain[middle][0]);
@@ -131,7 +101,7 @@ TEST(Square, SlidingEdgesWrinkleAndNothingIsCompressed) {
   square.extent = Extent::quarter;
   square.cells_x = square.cells_y = 20;
   problem.sheet = square;
-  const Step step = path(problem).at(0);
+  const Step step = solved_path(problem).at(0);
   EXPECT_NEAR(step.depth_A, 56.31, 0.1);
   const Mesh mesh = mesh_of(problem);
   const SheetFields fields = fields_of(problem, mesh, step);
@@ -150,7 +120,7 @@ TEST(Combined, IndentingABulge) {
     Problem problem = disc(8.03368, 0.19, 110, load, Control::conjugate_depth, {0, 5, 10});
     std::get<DiscSheet>(problem.sheet).rings = 32;
     problem.pressure_eV_per_A3 = -1e-4;  // up, against the tip
-    const auto steps = path(problem);
+    const auto steps = solved_path(problem);
     for (const Step& step : steps) {
       EXPECT_EQ(step.pressure_eV_per_A3, -1e-4);
       // What the pressure lifts and the tip does not push down, the rim holds down.
@@ -169,7 +139,7 @@ TEST(Radial, ConeOfDensityIsAPatternToo) {
   // N0 w' r = −F_enclosed / 2π with density 1 − r/c: w(0) = (F / 2πN0)(ln(a/c) + 5/6).
   Problem problem = disc(8, 0.19, 110, RadialLoad{{0, 20}, {1, 0}}, Control::force, {1e-3});
   problem.prestress_eV_per_A2 = Eigen::Matrix2d::Identity();
-  const Step step = path(problem).at(0);
+  const Step step = solved_path(problem).at(0);
   EXPECT_NEAR(step.depth_A / (1e-3 / (2 * pi) * (std::log(5.5) + 5.0 / 6)), 1, 1e-3);
 }
 
@@ -181,9 +151,9 @@ TEST(Sheets, PaperMeshes) {
 
 TEST(Sheets, FullAndQuarterDiscAgree) {
   Problem problem = disc(8, 0.19, 110, DiscLoad{10}, Control::conjugate_depth, {10});
-  const double quarter = path(problem).at(0).force_eV_per_A;
+  const double quarter = solved_path(problem).at(0).force_eV_per_A;
   problem.sheet = DiscSheet{.radius_A = 110, .rings = 48, .extent = Extent::full};
-  EXPECT_NEAR(path(problem).at(0).force_eV_per_A / quarter, 1, 2e-3);
+  EXPECT_NEAR(solved_path(problem).at(0).force_eV_per_A / quarter, 1, 2e-3);
 }
 
 }  // namespace

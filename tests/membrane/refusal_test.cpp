@@ -97,7 +97,128 @@ INSTANTIATE_TEST_SUITE_P(
                           [](Problem& p) {
                             p.levels = {2, -1};
                           }},
-                      Bad{"levels", [](Problem& p) { p.levels = {nan}; }}));
+                      Bad{"levels", [](Problem& p) { p.levels = {nan}; }},
+                      Bad{"prestress_eV_per_A2",
+                          [](Problem& p) {
+                            p.prestress_eV_per_A2 = -0.1 * Eigen::Matrix2d::Identity();
+                            p.levels = {0};
+                          }},
+                      Bad{"load.radius_A", [](Problem& p) { p.load = SphereLoad{120}; }},
+                      Bad{"load.radius_A", [](Problem& p) { p.load = SphereLoad{nan}; }},
+                      Bad{"load.density", [](Problem& p) { p.load = RadialLoad{{0, 10}, {1, nan}}; }},
+                      Bad{"pressure_eV_per_A3", [](Problem& p) { p.pressure_eV_per_A3 = nan; }},
+                      Bad{"solver.relative_residual", [](Problem& p) { p.solver.relative_residual = nan; }},
+                      Bad{"sheet.rim",
+                          [](Problem& p) { std::get<DiscSheet>(p.sheet).rim = Support::free; }}));
+
+RectangleSheet strip() {
+  return {.length_x_A = 40,
+          .length_y_A = 20,
+          .cells_x = 8,
+          .cells_y = 4,
+          .extent = Extent::full,
+          .left = Support::clamped,
+          .right = Support::clamped,
+          .bottom = Support::free,
+          .top = Support::free};
+}
+
+/// A strip whose right edge moves.
+Problem pulled(RectangleSheet sheet, EdgeMotion motion) {
+  Problem problem = good();
+  problem.sheet = sheet;
+  problem.load = motion;
+  problem.levels = {1};
+  return problem;
+}
+
+struct Contradiction {
+  const char* member;
+  std::function<Problem()> problem;
+};
+
+void PrintTo(const Contradiction& c, std::ostream* out) { *out << c.member; }
+
+class Contradictory : public ::testing::TestWithParam<Contradiction> {};
+
+TEST_P(Contradictory, SupportsAreRefused) {
+  try {
+    check(GetParam().problem());
+    FAIL() << "not refused";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(GetParam().member), std::string::npos) << error.what();
+  }
+}
+
+const EdgeMotion along{.edge = Edge::right, .translation_A = {1, 0, 0}};
+const EdgeMotion across{.edge = Edge::right, .translation_A = {0, 0, 1}};
+const EdgeMotion turned{.edge = Edge::right, .rotation_rad = 0.1};
+
+INSTANTIATE_TEST_SUITE_P(
+    Supports, Contradictory,
+    ::testing::Values(
+        Contradiction{"load.edge",  // a corner both moves and stays
+                      [] {
+                        RectangleSheet sheet = strip();
+                        sheet.top = Support::clamped;
+                        return pulled(sheet, along);
+                      }},
+        Contradiction{"load.edge",  // a corner leaves the plane that the other edge keeps to
+                      [] {
+                        RectangleSheet sheet = strip();
+                        sheet.top = Support::sliding;
+                        return pulled(sheet, across);
+                      }},
+        Contradiction{"load.edge",  // moves, but is not held
+                      [] {
+                        RectangleSheet sheet = strip();
+                        sheet.right = Support::sliding;
+                        return pulled(sheet, along);
+                      }},
+        Contradiction{"load.edge", [] { return pulled(strip(), {.edge = Edge::hub, .rotation_rad = 0.1}); }},
+        Contradiction{"load.translation_A", [] { return pulled(strip(), {.edge = Edge::right}); }},
+        Contradiction{"load.translation_A",  // out of the symmetry plane
+                      [] {
+                        RectangleSheet sheet = strip();
+                        sheet.extent = Extent::quarter;
+                        return pulled(sheet, turned);
+                      }},
+        Contradiction{"load.translation_A",
+                      [] {
+                        Problem problem = good();
+                        problem.load = EdgeMotion{.edge = Edge::rim, .translation_A = {1, 0, 0}};
+                        problem.levels = {1};
+                        return problem;
+                      }},
+        Contradiction{"sheet.extent",
+                      [] {
+                        RectangleSheet sheet = strip();
+                        sheet.extent = Extent::quarter;
+                        sheet.left = Support::free;
+                        return pulled(sheet, along);
+                      }},
+        Contradiction{"sheet",  // nothing bears the load
+                      [] {
+                        Problem problem = good();
+                        RectangleSheet sheet = strip();
+                        sheet.left = sheet.right = Support::free;
+                        problem.sheet = sheet;
+                        problem.load = DiscLoad{5};
+                        return problem;
+                      }},
+        Contradiction{"load",  // a pressure on an open edge
+                      [] {
+                        Problem problem = good();
+                        problem.sheet = strip();
+                        problem.load = PressureLoad{};
+                        return problem;
+                      }}));
+
+TEST(Contradictory, WhatMakesSenseIsNot) {
+  EXPECT_NO_THROW(check(pulled(strip(), along)));
+  EXPECT_NO_THROW(check(pulled(strip(), across)));
+  EXPECT_NO_THROW(check(pulled(strip(), turned)));
+}
 
 TEST(Refusal, GoodProblemIsSolved) {
   EXPECT_TRUE(solve(good(), [](const Step&) { return true; }).converged);

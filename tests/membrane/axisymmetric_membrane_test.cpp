@@ -1,0 +1,203 @@
+// The round membrane under points, discs, pressures and spheres, against closed forms and publications.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <tuple>
+
+#include "round_sheet.hpp"
+
+namespace membrane::axisymmetric {
+namespace {
+
+using namespace testing;
+using std::numbers::pi;
+
+TEST(AxisymmetricMembrane, PointLoadIsSchwerinsExactSolutionAtAnyDepth) {
+  for (const SheetStep& step : run(membrane_problem(1.0 / 3, PointLoad{}, {0.01 * a, 0.1 * a, 0.3 * a}))) {
+    const double delta = step.depth_A;
+    const double exact = pi / 3 * modulus * std::pow(delta, 3) / (a * a);
+    EXPECT_NEAR(step.force_eV_per_A / exact, 1, 1e-6);
+    EXPECT_NEAR(step.energy_eV, exact * delta / 4, 1e-6 * exact * delta);
+    EXPECT_NEAR(step.rim_reaction_eV_per_A, step.force_eV_per_A, 1e-9 * exact);
+    const double rim_slope = 2.0 / 3 * delta / a;
+    const double rim = modulus / (1 - 1.0 / 9) * 0.5 * rim_slope * rim_slope;
+    EXPECT_NEAR(step.points.back().radial_force_eV_per_A2 / rim, 1, 1e-6);
+    EXPECT_NEAR(step.points.back().hoop_force_eV_per_A2 / rim, 1.0 / 3, 1e-6);
+    for (const SheetPoint& point : step.points) {
+      if (point.radius_A < 1e-4 * a) continue;
+      EXPECT_NEAR(point.depth_A, delta * (1 - std::pow(point.radius_A / a, 2.0 / 3)), 1e-4 * delta);
+      EXPECT_NEAR(point.displacement_A, 0, 1e-5 * delta);
+    }
+  }
+}
+
+// α(ν) of F = α E·h δ³/a² and β(ν) of what pretension adds, β π N0 δ: Föppl–von Kármán, computed separately
+// from r² ψ'' + r ψ' − ψ = −(E·h/2) r w'², ψ w' = −F/2π.
+TEST(AxisymmetricMembrane, PointLoadFactorsOfSmallSlopes) {
+  for (const auto& [nu, alpha] :
+       {std::pair{0.0, 0.86099}, {0.165, 0.93770}, {0.19, 0.95155}, {0.3, 1.02206}}) {
+    const double delta = 2e-3 * a;
+    const double F = run(membrane_problem(nu, PointLoad{}, {delta}))[0].force_eV_per_A;
+    EXPECT_NEAR(F * a * a / (modulus * std::pow(delta, 3)), alpha, 1e-5) << nu;
+  }
+  for (const auto& [nu, beta] : {std::pair{1.0 / 3, 2.0 / 3}, {0.165, 0.6925}, {0.19, 0.6889}}) {
+    const double delta = 2e-3 * a;
+    const double N0 = 1e-3 * modulus * std::pow(delta / a, 2);
+    const auto force = [&](double pretension) {
+      SheetProblem problem = membrane_problem(nu, PointLoad{}, {delta});
+      problem.pretension_eV_per_A2 = pretension;
+      return run(problem)[0].force_eV_per_A;
+    };
+    EXPECT_NEAR((force(N0) - force(-N0)) / (2 * pi * N0 * delta), beta, 1e-4) << nu;
+  }
+}
+
+TEST(AxisymmetricMembrane, DiscLoadFactors) {
+  for (const auto& [share, alpha] : {std::pair{0.01, 1.02773}, {0.05, 1.19889}, {10.0 / 110, 1.35188}}) {
+    SheetProblem problem = membrane_problem(0.19, DiscLoad{share * a}, {2e-3 * a});
+    const SheetStep step = run(problem)[0];
+    EXPECT_NEAR(step.force_eV_per_A * a * a / (modulus * std::pow(step.depth_A, 3)), alpha, 2e-5) << share;
+  }
+}
+
+TEST(AxisymmetricMembrane, DiscOfTenAngstromOnThePapersSheet) {
+  std::ifstream file(MEMBRANE_TEST_DATA "/case2_disc10.csv");
+  std::vector<double> depths, forces, rims;
+  for (std::string line; std::getline(file, line);) {
+    double depth, force, rim;
+    char comma;
+    if (std::istringstream(line) >> depth >> comma >> force >> comma >> rim) {
+      depths.push_back(depth);
+      forces.push_back(force);
+      rims.push_back(rim);
+    }
+  }
+  ASSERT_GT(depths.size(), 5u);
+  SheetProblem problem = membrane_problem(0.19, DiscLoad{10}, forces);
+  problem.law = StVenantKirchhoff{5.864 * 1.37, 0.19};
+  problem.control = Control::force;
+  const auto steps = run(problem);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_NEAR(steps[i].depth_A / depths[i], 1, 5e-6);
+    // The file's value is that of a point some 0.1 Å inside the rim; at the rim itself Schwerin's is tested.
+    EXPECT_NEAR(steps[i].points.back().radial_force_eV_per_A2 / rims[i], 1, 6e-4);
+    EXPECT_NEAR(steps[i].force_eV_per_A / forces[i], 1, 1e-9);
+  }
+}
+
+// Finite St Venant–Kirchhoff, by shooting over the force balance of the deformed meridian, computed
+// separately.
+TEST(AxisymmetricMembrane, DiscAtFiniteStrainUnderPretension) {
+  SheetProblem problem = membrane_problem(0.19, DiscLoad{11}, {20});
+  problem.law = StVenantKirchhoff{8.03368, 0.19};
+  problem.pretension_eV_per_A2 = 0.02;
+  problem.control = Control::force;
+  EXPECT_NEAR(run(problem)[0].depth_A / 27.162739174, 1, 1e-7);
+}
+
+TEST(AxisymmetricMembrane, ShallowDiscUnderPretension) {
+  const double N0 = 0.5;
+  for (double c : {0.02 * a, 0.0909 * a}) {
+    SheetProblem problem = membrane_problem(0.19, DiscLoad{c}, {1e-3});
+    problem.pretension_eV_per_A2 = N0;
+    const SheetStep step = run(problem)[0];
+    EXPECT_NEAR(step.force_eV_per_A / step.depth_A * (std::log(a / c) + 0.5) / (2 * pi * N0), 1, 1e-6);
+    EXPECT_NEAR(step.force_eV_per_A / step.conjugate_depth_A * (std::log(a / c) + 0.25) / (2 * pi * N0), 1,
+                1e-6);
+  }
+}
+
+TEST(AxisymmetricMembrane, DepthOfRecordAndProfileLoad) {
+  // A uniform profile is the disc; a parabolic one is not.
+  SheetProblem problem = membrane_problem(0.19, DiscLoad{11}, {8});
+  problem.record_radius_A = 1.42;
+  const SheetStep disc = run(problem)[0];
+  problem.load = ProfileLoad{11, [](double) { return 3.0; }};
+  const SheetStep uniform = run(problem)[0];
+  problem.load = ProfileLoad{11, [](double r) { return 1 - r * r / 121; }};
+  const SheetStep parabola = run(problem)[0];
+  EXPECT_NEAR(uniform.force_eV_per_A, disc.force_eV_per_A, 1e-12);
+  EXPECT_LT(parabola.force_eV_per_A, 0.97 * disc.force_eV_per_A);
+  EXPECT_LT(disc.depth_A, disc.points[0].depth_A);
+  EXPECT_GT(disc.depth_A, 0.99 * disc.points[0].depth_A);
+}
+
+TEST(AxisymmetricBulge, Hencky) {
+  for (const auto& [nu, C] : {std::pair{0.3, 0.653443}, {0.19, 0.679687}}) {
+    SheetProblem problem = membrane_problem(nu, PressureLoad{}, {1e-10 * modulus / a});
+    EXPECT_NEAR(run(problem)[0].depth_A / (C * a * std::cbrt(1e-10)), 1, 2e-6) << nu;
+  }
+}
+
+// Finite St Venant–Kirchhoff, follower pressure, clamped: w0/a at pa/E·h, by shooting, computed separately.
+TEST(AxisymmetricBulge, FiniteStrain) {
+  for (const auto& [nu, load, height] : {std::tuple{0.19, 1e-4, 0.0315554195456},
+                                         {0.19, 1e-2, 0.14715508603},
+                                         {0.19, 1e-1, 0.322848159809},
+                                         {0.3, 1e-1, 0.309515381929}})
+    EXPECT_NEAR(run(membrane_problem(nu, PressureLoad{}, {load * modulus / a}))[0].depth_A / (a * height), 1,
+                1e-8);
+}
+
+// Free rim, nothing stretches: the Mylar balloon, w0/R = 0.599070 with R/a = 0.762760 (Paulsen, Am. Math.
+// Monthly 101 (1994) 953, by the lemniscate constant).
+TEST(AxisymmetricBulge, MylarBalloon) {
+  SheetProblem problem = membrane_problem(0.3, PressureLoad{}, {});
+  problem.rim = Rim::sliding;
+  for (double p : {1.0, 1e-2, 1e-4, 1e-6, 1e-8}) problem.levels.push_back(p * modulus / a);
+  const SheetStep last = run(problem).back();
+  EXPECT_NEAR(last.depth_A / a, 0.456947, 5e-6);
+  EXPECT_NEAR(1 + last.points.back().displacement_A / a, 0.762760, 5e-6);
+}
+
+TEST(AxisymmetricSphere, PretensionLimit) {
+  // F = 2 π N0 b²/Rt, δ = (b²/Rt)(ln(a/b) + ½), b the radius of contact; small slopes.
+  const double N0 = 1;
+  const double Rt = 40;
+  const double b = 2;
+  SheetProblem problem = membrane_problem(0.2, SphereLoad{Rt}, {b * b / Rt * (std::log(a / b) + 0.5)});
+  problem.pretension_eV_per_A2 = N0;
+  EXPECT_NEAR(run(problem)[0].force_eV_per_A / (2 * pi * N0 * b * b / Rt), 1, 2e-3);
+}
+
+// The sheet of Gil et al. 2010, Figure 1: a = 500 nm, E·h = 342 N/m, nu = 0.165, N0 = 0.34 N/m; force in nN
+// at a depth in nm, by shooting from the circle where contact ends, computed separately.
+TEST(AxisymmetricSphere, FiniteStrain) {
+  for (const auto& [radius, depth, force] : {std::tuple{16.5, 20.0, 25.3941763141},
+                                             {16.5, 50.0, 212.438291417},
+                                             {16.5, 100.0, 1501.11604714},
+                                             {27.5, 20.0, 25.7691760987},
+                                             {27.5, 100.0, 1553.24126432}}) {
+    SheetProblem problem = membrane_problem(0, SphereLoad{radius}, {depth});
+    problem.radius_A = 500;
+    problem.law = StVenantKirchhoff{342, 0.165};
+    problem.pretension_eV_per_A2 = 0.34;
+    EXPECT_NEAR(run(problem)[0].force_eV_per_A / force, 1, 3e-5) << radius << ", " << depth;
+  }
+}
+
+TEST(AxisymmetricSphere, IsNotEnteredAndBalancesTheRim) {
+  for (double kappa : {0.0, 0.966}) {
+    SheetProblem problem = membrane_problem(0.2, SphereLoad{20}, {0.1, 1, 3, 10, 20, 30});
+    problem.relaxed = kappa == 0;
+    problem.bending_modulus_eV = kappa;
+    const auto coarse = run(problem);
+    for (const SheetStep& step : coarse) {
+      const double force = step.force_eV_per_A;
+      EXPECT_NEAR(step.rim_reaction_eV_per_A, force, 1e-6 * force + 1e-10) << step.conjugate_depth_A;
+      const double centre = step.conjugate_depth_A - 20;
+      for (const SheetPoint& point : step.points)
+        ASSERT_GE(std::hypot(point.radius_A + point.displacement_A, point.depth_A - centre), 20 * (1 - 1e-6))
+            << "depth " << step.conjugate_depth_A << ", radius " << point.radius_A << ", kappa " << kappa;
+    }
+    problem.refinement = 3;
+    const auto fine = run(problem);
+    for (std::size_t i = 0; i < fine.size(); ++i)
+      EXPECT_NEAR(coarse[i].force_eV_per_A / fine[i].force_eV_per_A, 1, 2e-4) << problem.levels[i];
+  }
+}
+
+}  // namespace
+}  // namespace membrane::axisymmetric
