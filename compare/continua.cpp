@@ -9,6 +9,7 @@
 #include "compare/curves.hpp"
 #include "compare/explanation.hpp"
 #include "compare/interrupt.hpp"
+#include "compare/outputs/sheet_columns.hpp"
 
 namespace compare {
 namespace {
@@ -27,12 +28,15 @@ const Run* atoms_of(const Result& result, const std::string& load) {
 
 }  // namespace
 
-void solve(MembraneExperiment& e) {
+void solve(MembraneExperiment& e, bool all_fields) {
+  SheetAlbum album(e.problem, e.thickness_A, all_fields);
   const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
     append(e.run, step);
+    album.keep(step);
     return !interrupted();
   });
   close(e.run, report);
+  e.run.pictures = std::make_shared<const std::vector<SheetPicture>>(album.pictures());
 }
 
 void solve(SheetExperiment& e) {
@@ -53,11 +57,11 @@ void Continua::add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperi
   calibrated_.push_back({std::move(stages), std::move(membrane), std::move(sheet)});
 }
 
-void Continua::start() {
-  thread_ = std::thread([this] {
+void Continua::start(bool all_fields) {
+  thread_ = std::thread([this, all_fields] {
     const double begin = seconds();
     try {
-      solve_all();
+      solve_all(all_fields);
     } catch (...) {
       failure_ = std::current_exception();
     }
@@ -65,9 +69,9 @@ void Continua::start() {
   });
 }
 
-void Continua::solve_all() {
+void Continua::solve_all(bool all_fields) {
   for (MembraneExperiment& e : membranes_)
-    if (!interrupted()) solve(e);
+    if (!interrupted()) solve(e, all_fields);
   for (Calibrated& c : calibrated_) {
     for (SheetExperiment* e : {&c.sheet, &c.membrane, &c.stages[0], &c.stages[1], &c.stages[2]})
       if (!interrupted()) solve(*e);

@@ -12,8 +12,8 @@
 
 namespace compare {
 
-/// Solves a curve as far as it goes, or until an interrupt.
-void solve(MembraneExperiment& experiment);
+/// Solves a curve as far as it goes, or until an interrupt. Keeps the fields of its last converged depth, or of every one.
+void solve(MembraneExperiment& experiment, bool all_fields = false);
 
 /// The same in one dimension. A law that knows its longest bond ends where the potential's artefact zone is well entered:
 /// beyond, it stands for nothing.
@@ -30,7 +30,8 @@ class Continua {
   /// Curves of the result, and the last of them on the way of the explanation.
   void add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet);
 
-  void start();
+  /// all_fields: keep the membranes' triangles at every depth.
+  void start(bool all_fields);
   /// Waits; the seconds it took. What was thrown comes out here.
   double join();
 
@@ -43,7 +44,7 @@ class Continua {
     SheetExperiment membrane, sheet;
   };
 
-  void solve_all();
+  void solve_all(bool all_fields);
 
   std::vector<MembraneExperiment> membranes_;
   std::vector<Calibrated> calibrated_;

@@ -151,14 +151,19 @@ MembraneExperiment card_membrane(const Case& c, const atomistic::Card& card, con
 }
 
 MembraneExperiment paper_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
-  return membrane_experiment(c, load, levels, Constants::paper, c.radius_A,
-                             load_pair(load).nominal(c.tip_radius_A), paper_E_eV_per_A3 * paper_thickness_A,
-                             paper_nu);
+  MembraneExperiment e = membrane_experiment(c, load, levels, Constants::paper, c.radius_A,
+                                             load_pair(load).nominal(c.tip_radius_A),
+                                             paper_E_eV_per_A3 * paper_thickness_A, paper_nu);
+  e.thickness_A = paper_thickness_A;
+  return e;
 }
 
 MembraneExperiment given_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
-  return membrane_experiment(c, load, levels, Constants::given, c.radius_A,
-                             load_pair(load).nominal(c.tip_radius_A), *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
+  MembraneExperiment e =
+      membrane_experiment(c, load, levels, Constants::given, c.radius_A,
+                          load_pair(load).nominal(c.tip_radius_A), *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
+  e.thickness_A = *c.thickness_A;
+  return e;
 }
 
 namespace {

@@ -16,10 +16,16 @@
 
 namespace compare {
 
-/// A curve to compute: what the leaf is asked, and the run that will hold the answer (radii and constants filled in).
+/// Distance of the layers in graphite: the thickness that is usual for stresses in a sheet that has none of
+/// its own.
+inline constexpr double graphite_spacing_A = 3.35;
+
+/// A curve to compute: what the leaf is asked, and the run that will hold the answer (radii and constants
+/// filled in).
 struct MembraneExperiment {
   Run run;
   membrane::Problem problem;
+  double thickness_A = graphite_spacing_A;  ///< that stresses are over
 };
 /// The same in one dimension.
 struct SheetExperiment {

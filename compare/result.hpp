@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "compare/case.hpp"
 
 namespace compare {
+
+struct SheetPicture;
 
 enum class Model { membrane, atomistic, sheet };  ///< sheet: a membrane that resists bending
 enum class Constants { card, paper, given, calibrated, none };  ///< none: atomistic
@@ -106,6 +109,7 @@ struct Run {
   // membrane and sheet
   std::vector<int> newton_iterations;
   int triangles = 0;  ///< 0: solved in one dimension
+  std::shared_ptr<const std::vector<SheetPicture>> pictures;  ///< the solved triangles at the last depth, or every one
 
   std::optional<Fit> fit;
   std::string fit_skipped;  ///< why there is no fit

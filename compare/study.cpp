@@ -204,7 +204,7 @@ class Study {
   }
 
   void compute_curves() {
-    continua_.start();
+    continua_.start(options_.all_fields);
     if (!atoms_.empty()) compute_atoms();
     outcome_.result.timing.membrane_s = continua_.join();
     if (interrupted()) throw Error(ExitCode::interrupted, "interrupted");

@@ -17,8 +17,9 @@ namespace compare {
 
 struct StudyOptions {
   AtomsLaunch launch;
-  int ranks = 0;                      ///< per curve; 0: chosen from the cores and the size of the sheet
-  std::filesystem::path folder;       ///< of the run; holds `work`
+  int ranks = 0;                 ///< per curve; 0: chosen from the cores and the size of the sheet
+  std::filesystem::path folder;  ///< of the run; holds `work`
+  bool all_fields = false;       ///< keep the membranes' sheets at every depth, not at the last only
 };
 
 /// What a study produced, and what failed on the way: nothing computed is lost to a failure.

@@ -90,8 +90,7 @@ std::vector<FieldPanel> panels(const BulgeResult& result) {
 
 }  // namespace
 
-BulgePoint bulge_point(const membrane::Problem& problem, const membrane::Step& step, const SheetPicture& picture) {
-  const membrane::SheetFields fields = membrane::fields_of(problem, picture.mesh, step);
+BulgePoint bulge_point(const membrane::Step& step, const SheetPicture& picture) {
   const auto& larger = column(picture.triangles, "cauchy_1_eV_per_A3");
   const auto& smaller = column(picture.triangles, "cauchy_2_eV_per_A3");
   return {.pressure_eV_per_A3 = step.pressure_eV_per_A3,
@@ -99,8 +98,8 @@ BulgePoint bulge_point(const membrane::Problem& problem, const membrane::Step& s
           .volume_A3 = step.volume_A3,
           .energy_eV = step.energy_eV,
           .converged = step.converged,
-          .wrinkled_area_fraction = fields.wrinkled_area_fraction,
-          .slack_area_fraction = fields.slack_area_fraction,
+          .wrinkled_area_fraction = total(picture.totals, "wrinkled_area_fraction"),
+          .slack_area_fraction = total(picture.totals, "slack_area_fraction"),
           .edge_pull_in_A = pull_in(picture),
           .stress_1_max_eV_per_A3 = *std::max_element(larger.begin(), larger.end()),
           .stress_2_min_eV_per_A3 = *std::min_element(smaller.begin(), smaller.end()),

@@ -56,7 +56,7 @@ struct BulgeResult {
 };
 
 /// One point from a step and its fields.
-BulgePoint bulge_point(const membrane::Problem& problem, const membrane::Step& step, const SheetPicture& picture);
+BulgePoint bulge_point(const membrane::Step& step, const SheetPicture& picture);
 
 /// The resolved case as JSON.
 nlohmann::ordered_json bulge_case_document(const BulgeCase& c);

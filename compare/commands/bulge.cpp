@@ -45,7 +45,7 @@ Examples:
 void solve_membrane(const membrane::Problem& problem, BulgeResult& result, Progress& progress) {
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
     result.pictures.push_back(picture_of(problem, step, result.resolved.thickness_A));
-    result.points.push_back(bulge_point(problem, step, result.pictures.back()));
+    result.points.push_back(bulge_point(step, result.pictures.back()));
     progress.say(fmt::format("membrane  {}/{}  pressure {:.5g} eV/Å³  centre {:.3f} Å  {} Newton steps", step.level + 1,
                              problem.levels.size(), step.pressure_eV_per_A3, step.depth_A, step.newton_iterations));
     return !interrupted();

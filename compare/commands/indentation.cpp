@@ -104,6 +104,11 @@ void add_indentation(CLI::App& app, int& exit_code) {
   const auto flags = std::make_shared<const CaseFlags>(*command);
   const auto options = std::make_shared<RunOptions>();
   add_run_options(*command, *options);
+  command
+      ->add_flag("--all-fields", options->all_fields,
+                 "fields of the membranes (ParaView, run.h5) at every depth, not at the last only: 2 MB a "
+                 "depth and curve")
+      ->group("Run");
   command->footer(examples);
   command->callback(
       [command, flags, options, &exit_code] { exit_code = indentation(*command, *flags, *options); });

@@ -88,7 +88,8 @@ int run_indentation(const Case& c, const RunOptions& options, const std::optiona
   try {
     if (options.json) check_json_target(options.json->string());
     const auto used = prepared(potential, c, folder);
-    const StudyOutcome outcome = run_study(c, used, {launch, options.ranks, folder.path()}, progress);
+    const StudyOutcome outcome =
+        run_study(c, used, {launch, options.ranks, folder.path(), options.all_fields}, progress);
     report(outcome, used ? used->potential : atomistic::Potential(), options, folder);
     if (!outcome.failure.empty()) throw Error(outcome.failure_code, outcome.failure);
     folder.finish();

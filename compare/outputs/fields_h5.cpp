@@ -23,6 +23,8 @@ void write_fields(h5::Group& parent, const std::string& name, const SheetPicture
   for (const auto& t : picture.mesh.triangles) corners.insert(corners.end(), t.nodes.begin(), t.nodes.end());
   group.attribute("level", picture.level);
   group.attribute("copies", picture.mesh.copies);
+  group.attribute("thickness_A", picture.thickness_A);
+  for (const SheetTotal& t : picture.totals) group.attribute(t.key, t.value);
   describe_set(group.data_set("nodes_A", nodes), "Å", "nodes of the flat sheet", 3);
   describe_set(group.data_set("triangles", corners), "", "node numbers of each triangle, counter-clockwise", 3);
   h5::Group of_nodes = group.group("at_nodes");

@@ -6,8 +6,9 @@
 
 namespace compare {
 
-/// A group with nodes (Å, three a node, flat sheet), triangles (three node numbers each) and every column; units,
-/// meanings and the number of components are attributes.
+/// A group with nodes (Å, three a node, flat sheet), triangles (three node numbers each) and every column;
+/// units, meanings and the number of components are attributes of them, the totals of the full sheet
+/// attributes of the group.
 void write_fields(h5::Group& parent, const std::string& name, const SheetPicture& picture);
 
 }  // namespace compare

@@ -5,12 +5,15 @@
 
 #include "compare/outputs/outputs.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 
 #include "compare/outputs/curves_csv.hpp"
 #include "compare/outputs/figure.hpp"
 #include "compare/outputs/run_h5.hpp"
 #include "compare/outputs/summary_json.hpp"
+#include "compare/outputs/vtu.hpp"
 
 namespace compare {
 
@@ -26,8 +29,15 @@ void scan(const Result& result, const std::filesystem::path& folder) {
   if (const auto warning = write_scan_figure(result, folder)) spdlog::warn("{}", *warning);
 }
 
+/// membrane-<load>-<constants>.pvd and its VTU files, for every membrane whose sheet was kept.
+void sheets(const Result& result, const std::filesystem::path& folder) {
+  for (const Run& run : result.runs)
+    if (run.pictures && !run.pictures->empty())
+      write_pvd(*run.pictures, folder, fmt::format("membrane-{}-{}", run.load, to_string(run.constants)));
+}
+
 // Numbers first, pictures last.
-constexpr Write documents[] = {write_run_h5, write_curves, write_summary, figure, scan};
+constexpr Write documents[] = {write_run_h5, write_curves, write_summary, sheets, figure, scan};
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "compare/outputs/fields_h5.hpp"
 #include "compare/outputs/file.hpp"
 #include "compare/outputs/h5.hpp"
 #include "compare/outputs/keys.hpp"
@@ -92,6 +93,10 @@ void write_run(h5::Group& runs, std::size_t index, const Run& run) {
   } else {
     group.attribute("fit_skipped", run.fit_skipped);
   }
+  if (!run.pictures) return;
+  h5::Group fields = group.group("fields");
+  for (std::size_t i = 0; i < run.pictures->size(); ++i)
+    write_fields(fields, fmt::format("{}", i), (*run.pictures)[i]);
 }
 
 void write_result(h5::Group& root, const Result& result) {

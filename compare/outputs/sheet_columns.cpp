@@ -37,12 +37,37 @@ std::vector<SheetColumn> triangle_columns(const membrane::SheetFields& fields, d
            over(fields.cauchy_2_eV_per_A2, thickness_A)}};
 }
 
+std::vector<SheetTotal> totals_of(const membrane::SheetFields& fields, const membrane::Step& step) {
+  return {
+      {"depth_A", "Å", "depth of record", step.depth_A},
+      {"conjugate_depth_A", "Å", "depth conjugate to the force", step.conjugate_depth_A},
+      {"force_eV_per_A", "eV/Å", "force of the tip on the sheet", step.force_eV_per_A},
+      {"pressure_eV_per_A3", "eV/Å³", "follower pressure towards -z", step.pressure_eV_per_A3},
+      {"support_force_z_eV_per_A", "eV/Å", "force of the supports on the sheet, z component",
+       step.support_force_eV_per_A.z()},
+      {"volume_A3", "Å³", "volume between the sheet and its plane", step.volume_A3},
+      {"energy_eV", "eV", "relaxed energy relative to the flat sheet", step.energy_eV},
+      {"wrinkled_area_fraction", "", "share of the area in uniaxial tension", fields.wrinkled_area_fraction},
+      {"slack_area_fraction", "", "share of the area without tension", fields.slack_area_fraction},
+      {"relative_residual", "", "residual over the load", step.relative_residual}};
+}
+
+template <class Named>
+const Named& find(const std::vector<Named>& list, const std::string& key) {
+  const auto at = std::find_if(list.begin(), list.end(), [&](const Named& n) { return n.key == key; });
+  if (at == list.end()) throw std::out_of_range("no field " + key);
+  return *at;
+}
+
 }  // namespace
 
 SheetPicture picture_of(const membrane::Problem& problem, const membrane::Step& step, double thickness_A) {
   SheetPicture picture;
   picture.mesh = membrane::mesh_of(problem);
-  picture.triangles = triangle_columns(membrane::fields_of(problem, picture.mesh, step), thickness_A);
+  const membrane::SheetFields fields = membrane::fields_of(problem, picture.mesh, step);
+  picture.triangles = triangle_columns(fields, thickness_A);
+  picture.totals = totals_of(fields, step);
+  picture.thickness_A = thickness_A;
   picture.displacement = copy(step.displacements);
   picture.nodes = {{"displacement_A", "Å", "displacement from the flat sheet", 3, picture.displacement},
                    {"reaction_eV_per_A", "eV/Å", "force of the supports and symmetry planes on the node", 3,
@@ -51,10 +76,24 @@ SheetPicture picture_of(const membrane::Problem& problem, const membrane::Step& 
   return picture;
 }
 
+void SheetAlbum::keep(const membrane::Step& step) {
+  if (!step.converged) return;
+  if (!every_level_) steps_.clear();
+  steps_.push_back(step);
+}
+
+std::vector<SheetPicture> SheetAlbum::pictures() const {
+  std::vector<SheetPicture> pictures;
+  for (const membrane::Step& step : steps_) pictures.push_back(picture_of(problem_, step, thickness_A_));
+  return pictures;
+}
+
+double total(const std::vector<SheetTotal>& totals, const std::string& key) {
+  return find(totals, key).value;
+}
+
 const std::vector<double>& column(const std::vector<SheetColumn>& columns, const std::string& key) {
-  const auto at = std::find_if(columns.begin(), columns.end(), [&](const SheetColumn& c) { return c.key == key; });
-  if (at == columns.end()) throw std::out_of_range("no column " + key);
-  return at->values;
+  return find(columns, key).values;
 }
 
 }  // namespace compare

@@ -26,6 +26,15 @@ void columns(Text out, const char* element, const std::vector<SheetColumn>& list
   fmt::format_to(out, "</{}>\n", element);
 }
 
+void totals(Text out, const std::vector<SheetTotal>& list) {
+  fmt::format_to(out, "<FieldData>\n");
+  for (const SheetTotal& t : list)
+    fmt::format_to(
+        out, "<DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+        t.key, t.value);
+  fmt::format_to(out, "</FieldData>\n");
+}
+
 std::vector<double> deformed(const SheetPicture& picture) {
   std::vector<double> x = picture.displacement;
   for (int n = 0; n < picture.mesh.node_count(); ++n)
@@ -53,8 +62,10 @@ void write_vtu(const SheetPicture& picture, const std::filesystem::path& file) {
   const Text out(text);
   fmt::format_to(out,
                  "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-                 "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-                 picture.mesh.node_count(), picture.mesh.triangles.size());
+                 "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n");
+  totals(out, picture.totals);
+  fmt::format_to(out, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", picture.mesh.node_count(),
+                 picture.mesh.triangles.size());
   fmt::format_to(out, "<Points>\n");
   data_array(out, "Float64", "position_A", 3, deformed(picture));
   fmt::format_to(out, "</Points>\n");
