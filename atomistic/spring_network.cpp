@@ -73,13 +73,12 @@ void SpringNetwork::build_pattern() {
   }
   outer[3 * free] = 9 * column_[free];
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 1.0);
-  factor_.analyzePattern(matrix_);
+  factor_.analyse(matrix_);
 }
 
 void SpringNetwork::factorise(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) {
   assemble(positions, load);
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success)
+  if (!factor_.factorise(matrix_))
     throw std::runtime_error(
         "the spring network's matrix could not be factorised: positions or constants are off");
 }

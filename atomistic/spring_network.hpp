@@ -1,12 +1,12 @@
 // The preconditioner: stiffness of a spring network on the honeycomb's bonds at given positions.
 #pragma once
 
-#include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 #include <vector>
 
 #include "atomistic/loads/load_term.hpp"
 #include "atomistic/problem.hpp"
+#include "atomistic/rounded_factor.hpp"
 #include "atomistic/sheet.hpp"
 
 namespace atomistic {
@@ -63,7 +63,7 @@ class SpringNetwork {
   std::vector<int> rows_;    ///< block rows i >= j of each block column j, one after another
   std::vector<int> column_;  ///< where block column j starts in rows_
   Eigen::SparseMatrix<double> matrix_;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
+  RoundedFactor factor_;
 };
 
 }  // namespace atomistic
