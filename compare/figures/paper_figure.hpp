@@ -51,12 +51,15 @@ struct PaperFigure {
   std::string title;
   std::vector<FigurePanel> panels;
   std::vector<FigureNumber> numbers;
+  std::vector<std::string> remarks = {};  ///< what the numbers alone do not say
 };
 
 /// What making a figure may use.
 struct FigureContext {
   std::filesystem::path work;           ///< an existing folder for intermediate files, removed afterwards
   std::vector<std::string> potentials;  ///< for the atoms
+  bool atoms = false;                   ///< figure 4: the square as atoms too
+  int starts = 3;                       ///< from which its equilibrium is searched
   Progress& progress;
 };
 

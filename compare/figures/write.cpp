@@ -99,6 +99,7 @@ std::string csv(const PaperFigure& figure) {
     fmt::format_to(std::back_inserter(text), "# number: {}: ours {:.6g} {}, reference {:.6g} {} ({}){}\n",
                    n.what, n.ours, n.unit, n.reference, n.unit, n.source,
                    n.comment.empty() ? "" : "; " + n.comment);
+  for (const std::string& remark : figure.remarks) text += "# remark: " + remark + "\n";
   text += "# last column: upper edge of a band, or the value of a map's triangle whose centroid is x, y\n";
   text += "panel,curve,x_key,y_key,x,y,upper_or_value\n";
   const auto row = [&](const FigurePanel& panel, const std::string& name, double x, double y,
@@ -160,6 +161,7 @@ void write_h5(const PaperFigure& figure, const std::filesystem::path& target) {
         h5::Group one = panels.group(fmt::format("{}-map", p));
         write_field(one, figure.panels[p].fields.front());
       }
+    root.attribute("remarks", figure.remarks);
     h5::Group numbers = root.group("numbers");
     for (std::size_t i = 0; i < figure.numbers.size(); ++i) {
       const FigureNumber& n = figure.numbers[i];
@@ -192,6 +194,7 @@ std::string numbers_text(const PaperFigure& figure) {
     for (const std::string& remark : {"reference: " + n.source, n.comment})
       if (!remark.empty() && std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
   }
+  for (const std::string& remark : figure.remarks) text += "  " + remark + "\n";
   for (const std::string& remark : remarks) text += "  " + remark + "\n";
   return text;
 }

@@ -14,3 +14,15 @@ TEST(FigureWithAtoms, TwoIsMade) {
     EXPECT_GT(std::filesystem::file_size(folder.path() / "f" / (std::string("figure2.") + ending)), 5000u)
         << ending;
 }
+
+/// One search: up through smaller pressures, folded at the last.
+TEST(FigureWithAtoms, FourShowsTheSquareAsAtoms) {
+  const cli_tests::WorkFolder folder;
+  const auto outcome = cli_tests::run_validate({"figure", "4", "--atoms", "--starts", "1", "--out", "f", "--quiet"},
+                                               folder.path());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  for (const char* words : {"tersoff atoms: centre depth", "through smaller pressures", "wrinkled or taut in both",
+                            "waves along the sides"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << outcome.out;
+  EXPECT_LT(std::filesystem::file_size(folder.path() / "f" / "figure4.svg"), 1500000u);
+}

@@ -1,0 +1,337 @@
+#include "compare/figures/square_of_atoms.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "compare/atoms_curves.hpp"
+#include "compare/bulge/bulge_atoms.hpp"
+#include "compare/figures/square.hpp"
+#include "compare/figures/undulation.hpp"
+#include "compare/figures/virial_field.hpp"
+#include "compare/paths.hpp"
+#include "compare/potential_card.hpp"
+
+namespace compare {
+namespace {
+
+constexpr double side_A = 220, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
+constexpr int cells = 20;                  // of the virials' field: 11 Å, some 45 atoms
+constexpr double line_A = 11;              // from a side to the line on which waves are looked for
+constexpr double ripple_A = 0.5;
+// A folded sheet has directions in which it costs next to nothing to move, and they take most of the evaluations: a search
+// ends here, and says what is left.
+constexpr double force_tolerance_eV_per_A = 1e-3;
+constexpr int most_evaluations = 2500;
+constexpr double shares_of_pressure[] = {0.02, 0.15, 0.4, 0.7, 1};
+
+/// One search and where it ended.
+struct Found {
+  std::string start;
+  atomistic::Step step;
+  int evaluations = 0;
+  double potential_eV = 0;  ///< energy minus pressure times volume
+  double left_eV = 0;       ///< estimate of what a longer search would gain
+  std::string path;         ///< depths at the smaller pressures on the way
+};
+
+BulgeCase square_case(const std::string& potential) {
+  BulgeCase c;  // the paper's square
+  c.size_A = side_A;
+  c.extent = "full";
+  c.pressures_eV_per_A3 = {pressure_eV_per_A3};
+  c.potential = potential;
+  return c;
+}
+
+std::string name_of_start(int k) {
+  return k == 0 ? "through smaller pressures" : k == 1 ? "at once" : fmt::format("ripples, seed {}", k);
+}
+
+AtomsPath path_of(const atomistic::Problem& square, int k) {
+  AtomsPath path{fmt::format("square-{}", k), square};
+  path.problem.virials = true;
+  path.problem.force_tolerance_eV_per_A = force_tolerance_eV_per_A;
+  path.problem.max_evaluations = most_evaluations;
+  if (k == 0) {
+    path.problem.levels.clear();
+    for (const double share : shares_of_pressure) path.problem.levels.push_back(share * pressure_eV_per_A3);
+  }
+  if (k > 1) path.problem.ripple_A = ripple_A, path.problem.ripple_seed = static_cast<unsigned>(k);
+  return path;
+}
+
+Found found_of(const AtomsCurve& curve, int k) {
+  if (!curve.failure.empty()) throw Error(curve.failure_code, curve.failure);
+  Found found{.start = name_of_start(k), .step = curve.steps.back()};
+  for (const atomistic::Step& step : curve.steps) {
+    found.evaluations += step.evaluations;
+    if (step.target < 0.999 * pressure_eV_per_A3)
+      found.path += fmt::format("{}{:.2f} Å at {:g} of the pressure", found.path.empty() ? "; " : ", ", step.depth_A,
+                                step.target / pressure_eV_per_A3);
+  }
+  const double work = found.step.force_eV_per_A * found.step.conjugate_depth_A;  // pressure × volume
+  found.potential_eV = found.step.energy_eV - work;
+  found.left_eV = found.step.force_error_relative * work / 2;
+  return found;
+}
+
+/// Lowest potential first; searches that did not come to the full pressure last.
+std::vector<Found> search(const BulgePair& pair, const AtomsLaunch& launch, const FigureContext& context) {
+  std::vector<AtomsPath> paths;
+  for (int k = 0; k < context.starts; ++k) paths.push_back(path_of(pair.atoms, k));
+  const auto curves = compute_curves(launch, paths, 1, context.work, context.progress);
+  std::vector<Found> all;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (curves[k].failure.empty() && (curves[k].steps.empty() || curves[k].steps.back().target < 0.999 * pressure_eV_per_A3))
+      continue;
+    all.push_back(found_of(curves[k], static_cast<int>(k)));
+  }
+  if (all.empty()) throw Error(ExitCode::not_converged, "figure 4: no search of the atoms came to the full pressure");
+  std::ranges::sort(all, {}, &Found::potential_eV);
+  return all;
+}
+
+/// The membrane's smaller force and state at the middle of each cell: by the triangle whose centroid is nearest.
+const TriangleStress& nearest(const Square& membrane, const Eigen::Vector2d& place) {
+  return *std::ranges::min_element(membrane.field, {}, [&](const TriangleStress& t) {
+    return ((t.corners_A[0] + t.corners_A[1] + t.corners_A[2]) / 3 - place).squaredNorm();
+  });
+}
+
+FigurePanel virial_panel(const std::string& title, const std::vector<VirialCell>& field, const Square& membrane) {
+  FigurePanel panel = square_panel(title, "eV/Å²");
+  FigureField map{.name = title, .key = "smaller_principal_force_eV_per_A2", .corners_A = {}, .value = {}};
+  for (const VirialCell& cell : field)
+    for (const int third : {2, 3}) {
+      map.corners_A.push_back({cell.corners_A[0], cell.corners_A[third - 1], cell.corners_A[third]});
+      map.value.push_back(cell.smaller_eV_per_A2);
+    }
+  panel.fields.push_back(std::move(map));
+  panel.curves.push_back(wrinkled_outline(membrane));
+  return panel;
+}
+
+/// Where the four sides are in their plane: folds show as notches.
+FigurePanel edges_panel(const std::string& name, const BulgePair& pair, const Found& found, const Square& membrane) {
+  FigurePanel panel{.title = "sides, seen from above",
+                    .x_label = "x (Å)",
+                    .y_label = "y (Å)",
+                    .x_key = "x_A",
+                    .y_key = "y_A",
+                    .settings = "set size ratio -1\nset xrange [-122:122]\nset yrange [-122:122]\nset key at 0,0 center\n",
+                    .curves = {}};
+  FigureCurve atoms{.name = name + ", atoms", .x = {}, .y = {}, .y_high = {}, .style = "points pt 7 ps 0.25 lc rgb '#D55E00'"};
+  for (int i = 0; i < pair.sheet.free_atoms; ++i) {
+    if (!pair.sheet.slides[static_cast<std::size_t>(i)]) continue;
+    atoms.x.push_back(found.step.positions[3 * i]);
+    atoms.y.push_back(found.step.positions[3 * i + 1]);
+  }
+  FigureCurve continuum{.name = "membrane", .x = {}, .y = {}, .y_high = {}, .style = "points pt 6 ps 0.35 lc rgb '#0072B2'"};
+  for (const auto& [edge, nodes] : membrane.mesh.edges)
+    for (const int n : nodes) {
+      continuum.x.push_back(membrane.mesh.nodes[static_cast<std::size_t>(n)].x() + membrane.displacements_A[3 * n]);
+      continuum.y.push_back(membrane.mesh.nodes[static_cast<std::size_t>(n)].y() + membrane.displacements_A[3 * n + 1]);
+    }
+  panel.curves = {continuum, atoms};
+  return panel;
+}
+
+/// A line along one of the four sides, line_A inside it in the flat sheet: place along it, and where the sheet is in the
+/// direction of the line's mean normal. In each stretch of 5 Å a straight line through the rows of atoms nearby is read at
+/// line_A, so that the slope of the wall does not show as waves.
+Profile along_side(const BulgePair& pair, const Eigen::VectorXd& positions, int side) {
+  constexpr double stretch_A = 5, reach_A = 4;
+  const int across = side % 2, along = 1 - across;
+  const double at = (side < 2 ? 1 : -1) * (pair.size_A[across] / 2 - line_A);
+  const auto near = [&](int i) { return std::abs(pair.sheet.position(i)[across] - at) < reach_A; };
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (int i = 0; i < pair.sheet.free_atoms; ++i)
+    if (near(i)) normal += area_of_atom(pair.sheet, positions, i);
+  normal.normalize();
+  const int stretches = static_cast<int>(pair.size_A[along] / stretch_A);
+  struct Sums {
+    double n = 0, d = 0, u = 0, dd = 0, du = 0;
+  };
+  std::vector<Sums> sums(static_cast<std::size_t>(stretches));
+  for (int i = 0; i < pair.sheet.free_atoms; ++i) {
+    const int k = static_cast<int>(std::floor((pair.sheet.position(i)[along] + pair.size_A[along] / 2) / stretch_A));
+    if (!near(i) || k < 0 || k >= stretches) continue;
+    const double d = pair.sheet.position(i)[across] - at, u = normal.dot(positions.segment<3>(3 * i));
+    Sums& sum = sums[static_cast<std::size_t>(k)];
+    sum.n += 1, sum.d += d, sum.u += u, sum.dd += d * d, sum.du += d * u;
+  }
+  Profile line;
+  for (int k = 0; k < stretches; ++k) {
+    const Sums& sum = sums[static_cast<std::size_t>(k)];
+    const double determinant = sum.n * sum.dd - sum.d * sum.d;
+    if (!(determinant > 1e-9)) continue;
+    line.x_A.push_back((k + 0.5) * stretch_A - pair.size_A[along] / 2);
+    line.z_A.push_back((sum.u * sum.dd - sum.d * sum.du) / determinant);
+  }
+  const double mean = std::accumulate(line.z_A.begin(), line.z_A.end(), 0.0) / static_cast<double>(line.z_A.size());
+  for (double& z : line.z_A) z -= mean;
+  return line;
+}
+
+constexpr std::array side_names = {"right", "top", "left", "bottom"};
+constexpr std::array side_colours = {"#D55E00", "#0072B2", "#009E73", "#CC79A7"};
+
+FigurePanel sides_panel(const BulgePair& pair, const Found& found) {
+  FigurePanel panel{.title = fmt::format("atoms along the sides, {:g} Å inside: out of the mean plane there", line_A),
+                    .x_label = "place along the side in the flat sheet (Å)",
+                    .y_label = "along the mean normal (Å)",
+                    .x_key = "place_A",
+                    .y_key = "out_of_plane_A",
+                    .settings = "set size noratio\nset xrange [-112:112]\nset key inside top right\n",
+                    .curves = {}};
+  for (int side = 0; side < 4; ++side) {
+    const Profile line = along_side(pair, found.step.positions, side);
+    panel.curves.push_back({.name = side_names[static_cast<std::size_t>(side)],
+                            .x = line.x_A,
+                            .y = line.z_A,
+                            .y_high = {},
+                            .style = fmt::format("lines lw 1.2 lc rgb '{}'", side_colours[static_cast<std::size_t>(side)])});
+  }
+  return panel;
+}
+
+/// How far the atoms of an edge have come in at most, along its normal; a rotation of the whole sheet is taken out first.
+double pull_in(const BulgePair& pair, const Eigen::VectorXd& positions) {
+  double sine = 0, cosine = 0;
+  const auto flat = [&](int i) -> Eigen::Vector2d { return pair.sheet.position(i).head<2>(); };
+  for (int i = 0; i < pair.sheet.free_atoms; ++i) {
+    const Eigen::Vector2d X = flat(i), x = positions.segment<2>(3 * i);
+    cosine += X.dot(x);
+    sine += X.x() * x.y() - X.y() * x.x();
+  }
+  const double angle = std::atan2(sine, cosine);
+  double largest = 0;
+  for (int i = 0; i < pair.sheet.free_atoms; ++i) {
+    if (!pair.sheet.slides[static_cast<std::size_t>(i)]) continue;
+    const Eigen::Vector2d X = flat(i), x = Eigen::Rotation2Dd(-angle) * Eigen::Vector2d(positions.segment<2>(3 * i));
+    const int across = std::abs(X.x()) > std::abs(X.y()) ? 0 : 1;
+    largest = std::max(largest, (X[across] - x[across]) * (X[across] > 0 ? 1 : -1));
+  }
+  return largest;
+}
+
+/// The deepest fold along the sides: from the highest point of a line to its lowest.
+double deepest_fold(const BulgePair& pair, const Eigen::VectorXd& positions) {
+  double deepest = 0;
+  for (int side = 0; side < 4; ++side) {
+    const auto [low, high] = std::ranges::minmax(along_side(pair, positions, side).z_A);
+    deepest = std::max(deepest, high - low);
+  }
+  return deepest;
+}
+
+Undulation mean_undulation(const BulgePair& pair, const Eigen::VectorXd& positions) {
+  Undulation mean;
+  for (int side = 0; side < 4; ++side) {
+    const Profile line = along_side(pair, positions, side);
+    const Undulation one = undulation_of(line.x_A, line.z_A);
+    mean.amplitude_A += one.amplitude_A / 4;
+    mean.wavelength_A += one.wavelength_A / 4;
+  }
+  return mean;
+}
+
+/// Atoms wrinkle in a cell where they carry no tension across: less than a hundredth of the largest smaller force.
+struct Zones {
+  double wrinkled_share = 0, same_share = 0;                    ///< of the cells
+  double inside_eV_per_A2 = 0, outside_eV_per_A2 = 0;  ///< mean smaller force in the membrane's wrinkled and taut zones
+  double least_eV_per_A2 = 0;
+};
+
+Zones zones_of(const std::vector<VirialCell>& field, const Square& membrane) {
+  Zones zones;
+  double largest = 0, inside = 0, outside = 0;
+  for (const VirialCell& cell : field) largest = std::max(largest, cell.smaller_eV_per_A2);
+  for (const VirialCell& cell : field) {
+    const bool by_membrane = nearest(membrane, cell.middle_A).state != membrane::SheetState::taut;
+    const bool by_atoms = cell.smaller_eV_per_A2 < 0.01 * largest;
+    zones.wrinkled_share += by_atoms;
+    zones.same_share += by_atoms == by_membrane;
+    (by_membrane ? inside : outside) += 1;
+    (by_membrane ? zones.inside_eV_per_A2 : zones.outside_eV_per_A2) += cell.smaller_eV_per_A2;
+    zones.least_eV_per_A2 = std::min(zones.least_eV_per_A2, cell.smaller_eV_per_A2);
+  }
+  const double all = static_cast<double>(field.size());
+  zones.wrinkled_share /= all;
+  zones.same_share /= all;
+  zones.inside_eV_per_A2 /= std::max(inside, 1.0);
+  zones.outside_eV_per_A2 /= std::max(outside, 1.0);
+  return zones;
+}
+
+void add_numbers(PaperFigure& figure, const std::string& name, const BulgePair& pair, const Found& found,
+                 const Square& membrane, const std::vector<VirialCell>& field) {
+  const std::string source = "membrane with the card's constants";
+  const Zones zones = zones_of(field, membrane);
+  const auto add = [&](const std::string& what, const char* unit, double reference, double ours) {
+    figure.numbers.push_back({name + " atoms: " + what, unit, source, reference, ours, 0, ""});
+  };
+  add("centre depth", "Å", membrane.centre_depth_A, found.step.depth_A);
+  add("volume", "Å³", membrane.volume_A3, found.step.force_eV_per_A / pressure_eV_per_A3 * found.step.conjugate_depth_A);
+  add("energy minus pressure times volume", "eV", membrane.energy_eV - pressure_eV_per_A3 * membrane.volume_A3,
+      found.potential_eV);
+  add("mid-side pull-in", "Å", membrane.pull_in_A, pull_in(pair, found.step.positions));
+  add("wrinkled share", "1", membrane.wrinkled_share, zones.wrinkled_share);
+}
+
+void add_remarks(PaperFigure& figure, const std::string& name, const BulgePair& pair, const std::vector<Found>& all,
+                 const Square& membrane, const std::vector<VirialCell>& field) {
+  const Zones zones = zones_of(field, membrane);
+  const Undulation waves = mean_undulation(pair, all.front().step.positions);
+  auto& remarks = figure.remarks;
+  remarks.push_back(fmt::format("{}: {} atoms; the lowest of {} states is shown ({})", name, pair.sheet.atoms(), all.size(),
+                                all.front().start));
+  for (const Found& f : all)
+    remarks.push_back(fmt::format(
+        "start '{}': energy − pV = {:.3f} eV (+{:.3f} above the lowest), depth {:.3f} Å, {} evaluations, max|f| {:.1e} "
+        "eV/Å, about {:.1e} eV left{}",
+        f.start, f.potential_eV, f.potential_eV - all.front().potential_eV, f.step.depth_A, f.evaluations,
+        f.step.max_force_eV_per_A, f.left_eV, f.path));
+  remarks.push_back(fmt::format(
+      "smaller principal force of the atoms (cells of {:g} Å): mean {:.4f} eV/Å² where the membrane is wrinkled, {:.4f} where "
+      "it is taut, least {:.4f}; {:.0f} % of the cells are wrinkled or taut in both",
+      side_A / cells, zones.inside_eV_per_A2, zones.outside_eV_per_A2, zones.least_eV_per_A2, 100 * zones.same_share));
+  remarks.push_back(fmt::format("waves along the sides, {:g} Å inside, out of the mean plane there: amplitude {:.2f} Å, wavelength {:.1f} Å (means over four); "
+                                "deepest fold {:.1f} Å",
+                                line_A, waves.amplitude_A, waves.wavelength_A,
+                                deepest_fold(pair, all.front().step.positions)));
+}
+
+}  // namespace
+
+void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
+  const std::string& potential = context.potentials.front();
+  const std::string name = std::filesystem::path(potential).stem().string();
+  const PotentialFile file = read_potential(potential, inputs_folder() / "potentials", "--potential");
+  const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = available_cores()};
+  const atomistic::Card card = potential_card(file, launch, card_cache(), false).card;
+  const BulgePair pair = pair_bulge(square_case(potential), file.potential, card);
+  context.progress.say(fmt::format("figure 4: {} atoms, {} starts", pair.sheet.atoms(), context.starts));
+  const Square membrane = solve_square(pair.membrane, 1);  // over a thickness of 1 Å stresses are membrane forces
+  const std::vector<Found> all = search(pair, launch, context);
+  const std::vector<VirialCell> field = virial_field(pair.sheet, all.front().step, cells);
+  const double most = std::ranges::max(membrane.field, {}, &TriangleStress::smaller_eV_per_A3).smaller_eV_per_A3;
+  const std::string range = fmt::format("set cbrange [{:.4f}:{:.4f}]\n", -0.2 * most, 1.1 * most);
+  figure.panels.push_back(square_panel(fmt::format("membrane, {}'s E·h and ν: smaller principal force", name), "eV/Å²",
+                                       "smaller_principal_force_eV_per_A2", membrane,
+                                       [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
+  figure.panels.push_back(virial_panel(fmt::format("{}'s atoms: smaller principal force, by virials", name), field, membrane));
+  for (std::size_t p = figure.panels.size() - 2; p < figure.panels.size(); ++p) figure.panels[p].settings += range;
+  figure.panels.push_back(edges_panel(name, pair, all.front(), membrane));
+  figure.panels.push_back(sides_panel(pair, all.front()));
+  add_numbers(figure, name, pair, all.front(), membrane, field);
+  add_remarks(figure, name, pair, all, membrane, field);
+}
+
+}  // namespace compare
