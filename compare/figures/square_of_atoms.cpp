@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <numeric>
 
-#include "compare/atoms_curves.hpp"
 #include "compare/bulge/bulge_atoms.hpp"
 #include "compare/figures/square.hpp"
+#include "compare/figures/square_search.hpp"
 #include "compare/figures/undulation.hpp"
 #include "compare/figures/virial_field.hpp"
 #include "compare/paths.hpp"
@@ -23,22 +23,6 @@ namespace {
 constexpr double side_A = 220, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
 constexpr int cells = 20;                  // of the virials' field: 11 Å, some 45 atoms
 constexpr double line_A = 11;              // from a side to the line on which waves are looked for
-constexpr double ripple_A = 0.5;
-// A folded sheet has directions in which it costs next to nothing to move, and they take most of the evaluations: a search
-// ends here, and says what is left.
-constexpr double force_tolerance_eV_per_A = 1e-3;
-constexpr int most_evaluations = 2500;
-constexpr double shares_of_pressure[] = {0.02, 0.15, 0.4, 0.7, 1};
-
-/// One search and where it ended.
-struct Found {
-  std::string start;
-  atomistic::Step step;
-  int evaluations = 0;
-  double potential_eV = 0;  ///< energy minus pressure times volume
-  double left_eV = 0;       ///< estimate of what a longer search would gain
-  std::string path;         ///< depths at the smaller pressures on the way
-};
 
 BulgeCase square_case(const std::string& potential) {
   BulgeCase c;  // the paper's square
@@ -47,54 +31,6 @@ BulgeCase square_case(const std::string& potential) {
   c.pressures_eV_per_A3 = {pressure_eV_per_A3};
   c.potential = potential;
   return c;
-}
-
-std::string name_of_start(int k) {
-  return k == 0 ? "through smaller pressures" : k == 1 ? "at once" : fmt::format("ripples, seed {}", k);
-}
-
-AtomsPath path_of(const atomistic::Problem& square, int k) {
-  AtomsPath path{fmt::format("square-{}", k), square};
-  path.problem.virials = true;
-  path.problem.force_tolerance_eV_per_A = force_tolerance_eV_per_A;
-  path.problem.max_evaluations = most_evaluations;
-  if (k == 0) {
-    path.problem.levels.clear();
-    for (const double share : shares_of_pressure) path.problem.levels.push_back(share * pressure_eV_per_A3);
-  }
-  if (k > 1) path.problem.ripple_A = ripple_A, path.problem.ripple_seed = static_cast<unsigned>(k);
-  return path;
-}
-
-Found found_of(const AtomsCurve& curve, int k) {
-  if (!curve.failure.empty()) throw Error(curve.failure_code, curve.failure);
-  Found found{.start = name_of_start(k), .step = curve.steps.back()};
-  for (const atomistic::Step& step : curve.steps) {
-    found.evaluations += step.evaluations;
-    if (step.target < 0.999 * pressure_eV_per_A3)
-      found.path += fmt::format("{}{:.2f} Å at {:g} of the pressure", found.path.empty() ? "; " : ", ", step.depth_A,
-                                step.target / pressure_eV_per_A3);
-  }
-  const double work = found.step.force_eV_per_A * found.step.conjugate_depth_A;  // pressure × volume
-  found.potential_eV = found.step.energy_eV - work;
-  found.left_eV = found.step.force_error_relative * work / 2;
-  return found;
-}
-
-/// Lowest potential first; searches that did not come to the full pressure last.
-std::vector<Found> search(const BulgePair& pair, const AtomsLaunch& launch, const FigureContext& context) {
-  std::vector<AtomsPath> paths;
-  for (int k = 0; k < context.starts; ++k) paths.push_back(path_of(pair.atoms, k));
-  const auto curves = compute_curves(launch, paths, 1, context.work, context.progress);
-  std::vector<Found> all;
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    if (curves[k].failure.empty() && (curves[k].steps.empty() || curves[k].steps.back().target < 0.999 * pressure_eV_per_A3))
-      continue;
-    all.push_back(found_of(curves[k], static_cast<int>(k)));
-  }
-  if (all.empty()) throw Error(ExitCode::not_converged, "figure 4: no search of the atoms came to the full pressure");
-  std::ranges::sort(all, {}, &Found::potential_eV);
-  return all;
 }
 
 /// The membrane's smaller force and state at the middle of each cell: by the triangle whose centroid is nearest.
@@ -319,7 +255,7 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   const BulgePair pair = pair_bulge(square_case(potential), file.potential, card);
   context.progress.say(fmt::format("figure 4: {} atoms, {} starts", pair.sheet.atoms(), context.starts));
   const Square membrane = solve_square(pair.membrane, 1);  // over a thickness of 1 Å stresses are membrane forces
-  const std::vector<Found> all = search(pair, launch, context);
+  const std::vector<Found> all = search_states(pair, pressure_eV_per_A3, launch, context);
   const std::vector<VirialCell> field = virial_field(pair.sheet, all.front().step, cells);
   const double most = std::ranges::max(membrane.field, {}, &TriangleStress::smaller_eV_per_A3).smaller_eV_per_A3;
   const std::string range = fmt::format("set cbrange [{:.4f}:{:.4f}]\n", -0.2 * most, 1.1 * most);

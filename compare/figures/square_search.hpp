@@ -1,0 +1,32 @@
+// The states of equilibrium that a pressurised square of atoms is found in, from several starts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/atoms.hpp"
+#include "compare/bulge/bulge_pairing.hpp"
+#include "compare/figures/paper_figure.hpp"
+
+namespace compare {
+
+/// One search and where it ended.
+struct Found {
+  std::string start;
+  atomistic::Step step;
+  int evaluations = 0;
+  double potential_eV = 0;  ///< energy minus pressure times volume
+  double left_eV = 0;       ///< estimate of what a longer search would gain
+  std::string path;         ///< depths at the smaller pressures on the way
+};
+
+/// The starts, context.starts of them:
+///   0: up through smaller pressures, along the branch that begins flat;
+///   1: the full pressure at once;
+///   2, …: the full pressure at once on a sheet with random ripples of 0.5 Å.
+/// Lowest potential first; a search that did not come to the full pressure is left out. Throws Error: atomistic failed;
+/// not converged where none came there; interrupted.
+std::vector<Found> search_states(const BulgePair& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,
+                                 const FigureContext& context);
+
+}  // namespace compare
