@@ -185,6 +185,9 @@ void check_levels(const Problem& problem) {
 void check(const Problem& problem) {
   check(problem.sheet);
   std::visit([](const auto& law) { law.check(); }, problem.law);
+  if (problem.bending) problem.bending->check();
+  if (problem.bending && problem.relaxed)
+    refuse("relaxed", "true", "must be false for a sheet that bends: bending is what limits its compression");
   check_prestress(problem);
   check_directions(problem);
   if (!std::isfinite(problem.pressure_eV_per_A3))

@@ -17,6 +17,13 @@ using Eigen::VectorXd;
 // plane sheet has none.
 constexpr int cells_for_tucks = 20, cells_in_plane = 5;
 
+/// Rotations begin in the middle between their triangles.
+VectorXd padded(const Model& model, const VectorXd& of_nodes) {
+  VectorXd all = VectorXd::Zero(model.energy().dof_count());
+  all.head(of_nodes.size()) = of_nodes;
+  return all;
+}
+
 /// Half way on the scale on which a sheet's response from flat is a straight line, the logarithmic one.
 double half_way(double here, double value) { return here == 0 ? value / 8 : std::sqrt(here / value) * value; }
 
@@ -33,7 +40,7 @@ Pattern schwerin_pattern(const Mesh& mesh, double tip_radius) {
 class PatternDrive : public Drive {
  public:
   PatternDrive(const Problem& problem, Model& model, Newton& newton, Scaling scaling)
-      : problem_(problem), model_(model), newton_(newton), predictor_(scaling) {}
+      : problem_(problem), model_(model), newton_(newton), predictor_(scaling, model.first_rotation_node()) {}
 
   VectorXd guess(double value) override {
     const bool by_force = problem_.control == Control::force;
@@ -71,7 +78,7 @@ class PatternDrive : public Drive {
                                  ? balanced_amplitude(model_, shape, on_part(value) * forces)
                                  : value / depth;
     VectorXd u = amplitude * shape;
-    if (sphere) u[u.size() - 1] = -amplitude * depth;
+    if (sphere) u[model_.indenter_dof()] = -amplitude * depth;
     return u;
   }
 
@@ -96,7 +103,7 @@ class BulgedPatternDrive final : public PatternDrive {
       : PatternDrive(problem, model, newton, from_bulged) {
     if (std::holds_alternative<SphereLoad>(problem.load)) {  // it touches the highest node
       const VectorXd transverse = Model::transverse(bulged).head(model.mesh().node_count());
-      bulged[bulged.size() - 1] = -transverse.minCoeff();
+      bulged[model.indenter_dof()] = -transverse.minCoeff();
     }
     value_ = problem.control == Control::force ? 0 : depth_of(bulged);
     predictor_.add({depth_of(bulged), 0, 0, std::move(bulged)});
@@ -115,7 +122,7 @@ class BulgedPatternDrive final : public PatternDrive {
  private:
   void move_to_depth(double depth, VectorXd& u) {
     if (const auto* sphere = std::get_if<SphereLoad>(&problem_.load)) {
-      u[u.size() - 1] = -depth;
+      u[model_.indenter_dof()] = -depth;
       model_.clear_sphere(*sphere, u);
       return;
     }
@@ -141,7 +148,7 @@ class PressureDrive final : public Drive {
       return predictor_.displacements(
           control_ == Control::force ? predictor_.conjugate_depth(std::abs(value) * area_) : value);
     if (std::holds_alternative<PressureLoad>(problem_.load))
-      if (const auto guess = guess_from_coarser(problem_, value, cells_for_tucks)) return *guess;
+      if (const auto guess = guess_from_coarser(problem_, value, cells_for_tucks)) return padded(model_, *guess);
     return first_guess(value);
   }
 
@@ -177,7 +184,7 @@ class PressureDrive final : public Drive {
   Control control_;
   Model& model_;
   Newton& newton_;
-  Predictor predictor_;
+  Predictor predictor_{from_flat, model_.first_rotation_node()};
   double area_ = model_.mesh().area_A2();
   MeanDepth depth_{model_};
   double value_ = 0;
@@ -206,7 +213,7 @@ class MotionDrive final : public Drive {
 
  private:
   VectorXd first_guess(double value) {
-    if (const auto guess = guess_from_coarser(problem_, value, cells_in_plane)) return *guess;
+    if (const auto guess = guess_from_coarser(problem_, value, cells_in_plane)) return padded(model_, *guess);
     VectorXd held = VectorXd::Zero(model_.energy().dof_count());
     model_.move_edge(motion_, value, held);
     return StiffenedSheet(model_, newton_).under_motion(held);

@@ -178,13 +178,14 @@ class LoadPath {
     step.level = level;
     step.converged = at.converged;
     step.depth_A = record_.dot(transverse.head(mesh.node_count()));
-    step.conjugate_depth_A = model_.pattern().weights.dot(transverse.head(model_.pattern().weights.size()));
+    step.conjugate_depth_A = model_.pattern().weights.dot(transverse);
     step.force_eV_per_A = copies * at.force_eV_per_A;
     step.pressure_eV_per_A3 = model_.pressure_towards_tip();
     step.volume_A3 = -copies * model_.pressure().volume(end.u);
     if (std::holds_alternative<PressureLoad>(problem_.load))
       step.conjugate_depth_A = step.volume_A3 / (copies * mesh.area_A2());
-    step.energy_eV = copies * model_.stretching_energy(end.u);
+    step.bending_energy_eV = copies * model_.bending_energy(end.u);
+    step.energy_eV = copies * model_.stretching_energy(end.u) + step.bending_energy_eV;
     step.relative_residual = at.relative_residual;
     step.residual_history = at.residual_history;
     step.smallest_pivot_sign = at.smallest_pivot_sign;

@@ -64,10 +64,18 @@ bool may_cross_planes(const Problem& problem) {
   return rectangle && rectangle->extent == Extent::quarter && !broken(Fault::open_mirror);
 }
 
-Held all_held(const Mesh& mesh, bool with_indenter) {
+Held all_held(const Mesh& mesh, bool with_indenter, const BendingTerm* bending) {
   Held held = mesh.held;
   if (with_indenter) held.push_back({true, true, false});
+  if (!bending) return held;
+  const Held rotations = bending->held_rotations();
+  held.insert(held.end(), rotations.begin(), rotations.end());
   return held;
+}
+
+/// Length over which a sheet that is stretched as much as it can be still bends, √(κ/E·h), Å; 0 where it does not bend.
+double layer_A(const Problem& problem) {
+  return problem.bending ? std::sqrt(problem.bending->mean_eV / sheet_modulus(problem.law)) : 0;
 }
 
 }  // namespace
@@ -83,7 +91,8 @@ Material material_of(const Problem& problem, const Mesh& mesh) {
 double load_radius_A(const Load& load) { return std::visit(RadiusOfLoad{}, load); }
 
 Mesh mesh_of(const Problem& problem) {
-  Mesh mesh = make_mesh(problem.sheet, {load_radius_A(problem.load), problem.record_radius_A});
+  Mesh mesh = make_mesh(problem.sheet, {load_radius_A(problem.load), problem.record_radius_A, layer_A(problem),
+                                        std::holds_alternative<PointLoad>(problem.load)});
   const auto* motion = std::get_if<EdgeMotion>(&problem.load);
   const bool in_plane = motion && motion->translation_A.z() == 0 && problem.pressure_eV_per_A3 == 0;
   if (in_plane)
@@ -99,13 +108,17 @@ Model::Model(const Problem& problem)
     sphere_ = std::make_unique<SphereObstacle>(mesh_, sphere->radius_A, stiffness);
     obstacles_.push_back(sphere_.get());
   }
+  if (problem.bending) {
+    bending_ = std::make_unique<BendingTerm>(mesh_, *problem.bending, first_rotation_node());
+    terms.push_back(bending_.get());
+  }
   if (may_cross_planes(problem)) {
     planes_ = std::make_unique<MirrorPlanes>(mesh_, stiffness);
     obstacles_.push_back(planes_.get());
   }
   terms.insert(terms.end(), obstacles_.begin(), obstacles_.end());
-  energy_ = std::make_unique<TotalEnergy>(all_held(mesh_, sphere_ != nullptr), terms);
-  pattern_ = std::visit(PatternOf{mesh_}, problem.load);
+  energy_ = std::make_unique<TotalEnergy>(all_held(mesh_, sphere_ != nullptr, bending_.get()), terms);
+  pattern_ = std::visit(PatternOf{mesh_}, problem.load).padded(energy_->dof_count() / 3);
 }
 
 void Model::move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const {
@@ -122,12 +135,17 @@ double Model::stretching_energy(const Eigen::VectorXd& u) {
   return stretching_.add_gradient(u, unused);
 }
 
+double Model::bending_energy(const Eigen::VectorXd& u) {
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(u.size());
+  return bending_ ? bending_->add_gradient(u, unused) : 0;
+}
+
 void Model::park_indenter(Eigen::VectorXd& u) const {
-  if (sphere_) u[u.size() - 1] = 2 * mesh_.rings.back().radius_A;
+  if (sphere_) u[indenter_dof()] = 2 * mesh_.rings.back().radius_A;
 }
 
 void Model::clear_sphere(const SphereLoad& sphere, Eigen::VectorXd& u) const {
-  const double lowest = u[3 * mesh_.node_count() + 2];
+  const double lowest = u[indenter_dof()];
   for (int n = 0; n < mesh_.node_count(); ++n) {
     const double r = (mesh_.nodes[n] + u.segment<2>(3 * n)).norm();
     if (r >= sphere.radius_A || mesh_.held[n][2]) continue;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "membrane/bending/term.hpp"
 #include "membrane/loads/pattern.hpp"
 #include "membrane/problem.hpp"
 #include "membrane/terms/obstacles.hpp"
@@ -27,19 +28,25 @@ class Model {
   Pressure& pressure() { return pressure_; }
   const std::vector<Obstacle*>& obstacles() const { return obstacles_; }
 
-  /// Weights over all nodes, an indenter's included, whose sum of −z is the conjugate depth; zero for a load that has
+  /// Weights over all nodes (the mesh's, an indenter's, those that carry rotations), whose sum of −z is the conjugate depth; zero for a load that has
   /// none (pressure, motion).
   const Pattern& pattern() const { return pattern_; }
 
-  /// −z of every node, an indenter's included.
+  /// −z of every node; of one that carries rotations without a meaning.
   static Eigen::VectorXd transverse(const Eigen::VectorXd& u) { return -u.reshaped(3, u.size() / 3).row(2).transpose(); }
 
   /// Pressure towards −z, eV/Å³.
   void set_pressure(double value) { pressure_.set(-value); }
   double pressure_towards_tip() const { return -pressure_.value(); }
 
-  /// The stretching energy alone (eV), of the meshed part.
+  /// Number of the first node that carries rotations; that of all nodes where the sheet does not bend.
+  int first_rotation_node() const { return mesh_.node_count() + (sphere_ ? 1 : 0); }
+  /// Degree of freedom of a sphere's height.
+  int indenter_dof() const { return 3 * mesh_.node_count() + 2; }
+
+  /// Stretching or bending energy alone (eV), of the meshed part.
   double stretching_energy(const Eigen::VectorXd& u);
+  double bending_energy(const Eigen::VectorXd& u);
 
   /// Puts the nodes of a moved edge where the level wants them.
   void move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const;
@@ -54,6 +61,7 @@ class Model {
   Mesh mesh_;
   Stretching stretching_;
   Pressure pressure_;
+  std::unique_ptr<BendingTerm> bending_;
   std::unique_ptr<SphereObstacle> sphere_;
   std::unique_ptr<MirrorPlanes> planes_;
   std::vector<Obstacle*> obstacles_;

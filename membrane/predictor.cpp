@@ -35,6 +35,7 @@ std::size_t Predictor::points_that_reach(double conjugate_depth_A) const {
 Eigen::VectorXd Predictor::displacements(double conjugate_depth_A) const {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(last().u.size());
   const Eigen::Index nodes = u.size() / 3;
+  const Eigen::Index displaced = first_rotation_ < 0 ? nodes : first_rotation_;
   const auto first = points_.end() - points_that_reach(conjugate_depth_A);
   for (auto point = first; point != points_.end(); ++point) {
     double weight = 1;
@@ -43,8 +44,11 @@ Eigen::VectorXd Predictor::displacements(double conjugate_depth_A) const {
         weight *= (conjugate_depth_A - other->conjugate_depth_A) / (point->conjugate_depth_A - other->conjugate_depth_A);
     const double ratio = conjugate_depth_A / point->conjugate_depth_A;
     const double in_plane = std::pow(ratio, scaling_.in_plane);
-    const Eigen::Vector3d scale = weight * Eigen::Vector3d(in_plane, in_plane, std::pow(ratio, scaling_.transverse));
-    u.reshaped(3, nodes) += scale.asDiagonal() * point->u.reshaped(3, nodes);
+    const double transverse = std::pow(ratio, scaling_.transverse);
+    const Eigen::Vector3d scale = weight * Eigen::Vector3d(in_plane, in_plane, transverse);
+    u.reshaped(3, nodes).leftCols(displaced) += scale.asDiagonal() * point->u.reshaped(3, nodes).leftCols(displaced);
+    const Eigen::Index rotations = 3 * (nodes - displaced);
+    u.tail(rotations) += weight * transverse * point->u.tail(rotations);
   }
   return u;
 }

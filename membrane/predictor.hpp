@@ -31,7 +31,9 @@ inline constexpr Scaling from_bulged{0, 0};
 /// polynomials in d (Lagrange), which makes one earlier point a good guess and four an excellent one.
 class Predictor {
  public:
-  explicit Predictor(Scaling scaling = from_flat) : scaling_(scaling) {}
+  /// first_rotation: the first node that carries rotations, which go like what is transverse; −1: none does.
+  explicit Predictor(Scaling scaling = from_flat, Eigen::Index first_rotation = -1)
+      : scaling_(scaling), first_rotation_(first_rotation) {}
 
   void add(PathPoint point);
 
@@ -50,6 +52,7 @@ class Predictor {
   std::size_t points_that_reach(double conjugate_depth_A) const;
 
   Scaling scaling_;
+  Eigen::Index first_rotation_;
   std::deque<PathPoint> points_;  ///< in the order of the path, no depth twice
 };
 

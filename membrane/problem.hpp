@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "membrane/bending/moduli.hpp"
 #include "membrane/laws/list.hpp"
 #include "membrane/sheets/sheet.hpp"
 
@@ -61,6 +63,9 @@ struct Problem {
   /// Second Piola–Kirchhoff prestress times thickness, eV/Å².
   Eigen::Matrix2d prestress_eV_per_A2 = Eigen::Matrix2d::Zero();
   bool relaxed = true;  ///< tension-field energy; false: the law as it stands, compression included
+  /// Resistance to bending, with clamped edges held in slope, too. Needs relaxed = false: bending is what limits
+  /// compression, and relaxing would count its relief twice. Rings are then narrow at the rim and at the load's edge.
+  std::optional<BendingModuli> bending;
   double pressure_eV_per_A3 = 0;  ///< towards −z, applied before the load and kept under it
   Load load;
   Control control = Control::conjugate_depth;
@@ -78,7 +83,8 @@ struct Step {
   double force_eV_per_A = 0;     ///< of a pattern or a sphere; else 0
   double pressure_eV_per_A3 = 0;
   double volume_A3 = 0;          ///< between the sheet and its plane, positive on the side of −z
-  double energy_eV = 0;          ///< relaxed energy relative to the flat, prestressed sheet
+  double energy_eV = 0;          ///< stretching and bending, relative to the flat, prestressed sheet
+  double bending_energy_eV = 0;  ///< of which bending
   double relative_residual = 0;  ///< |free residual| / |applied load|: at most 1e-8, or rounding where the
                                  ///< depth is below some 1e-4 of the radius
   std::vector<double> residual_history;  ///< of the last search, one entry a Newton step

@@ -30,13 +30,17 @@ std::vector<QuadraturePoint> quadrature(const std::vector<double>& nodes) {
   return points;
 }
 
-/// Every node but the last, and every middle. Contact counts rings, not their areas.
+/// Every node but the last, and every middle, with the area half way to the next ones.
 std::vector<QuadraturePoint> watched(const std::vector<double>& nodes) {
   std::vector<QuadraturePoint> points;
   for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
     for (double t : {0.0, 0.5}) {
       const double length = nodes[e + 1] - nodes[e];
-      points.push_back({static_cast<int>(e), {nodes[e] + t * length, 1}, interpolation(length, t)});
+      const double radius = nodes[e] + t * length;
+      const double inner = t > 0 ? nodes[e] + 0.25 * length : e > 0 ? nodes[e] - 0.25 * (nodes[e] - nodes[e - 1]) : 0;
+      const double outer = radius + 0.25 * length;
+      const double area = std::numbers::pi * (outer * outer - inner * inner);
+      points.push_back({static_cast<int>(e), {radius, area}, interpolation(length, t)});
     }
   return points;
 }

@@ -15,8 +15,10 @@ namespace {
 constexpr int most_cuts = 12;  // failed attempts on the way to one level
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
-/// Of E·h. The first finds the contact; with the last a sphere is entered by some 1e-7 of its radius at most.
-constexpr double contact_stiffness[] = {1, 1e2, 1e5};
+/// A foundation, of E·h over the sphere's radius squared, finds the contact; with the last stiffness of the rings, of E·h,
+/// a sphere is entered by some 1e-7 of its radius at most.
+constexpr double contact_foundation = 40;
+constexpr double contact_stiffness[] = {1e2, 1e5};
 
 class Path {
  public:
@@ -125,10 +127,15 @@ class Path {
   void press(Attempt& at) {
     SphereContact& contact = *assembly_.contact();
     contact.depth_A = at.known.depth_A;
+    const double modulus = sheet_modulus(problem_);
+    contact.foundation_eV_per_A4 = contact_foundation * modulus / (contact.radius_A * contact.radius_A);
+    contact.stiffness_eV_per_A2 = 0;
+    find({}, at);
+    contact.foundation_eV_per_A4 = 0;
     for (double stiffness : contact_stiffness) {
-      contact.stiffness_eV_per_A2 = stiffness * sheet_modulus(problem_);
-      if (stiffness == contact_stiffness[0] || !find_by_whole_steps(at)) find({}, at);
       if (!at.equilibrium.converged) return;
+      contact.stiffness_eV_per_A2 = stiffness * modulus;
+      if (!find_by_whole_steps(at)) find({}, at);
     }
     at.known.force_eV_per_A = assembly_.contact_sum(
         at.known.x, [&](const Ring& ring, const LocalState& y) { return contact.force(ring, y); });

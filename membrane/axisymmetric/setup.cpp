@@ -80,7 +80,7 @@ Assembly assembly_of(const SheetProblem& problem) {
   std::vector<int> held = held_dofs(problem, static_cast<int>(nodes.size()));
   std::optional<SphereContact> contact;
   if (const auto* sphere = std::get_if<SphereLoad>(&problem.load))
-    contact = SphereContact{sphere->radius_A, 0, 0};
+    contact = SphereContact{.radius_A = sphere->radius_A};
   return {std::move(nodes), std::move(held), terms_of(problem), contact};
 }
 

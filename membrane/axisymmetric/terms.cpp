@@ -104,14 +104,14 @@ double SphereContact::gap(const Ring& ring, const LocalState& y) const {
 
 double SphereContact::force(const Ring& ring, const LocalState& y) const {
   const double g = gap(ring, y);
-  return g < 0 ? -stiffness_eV_per_A2 * g * (y[W] - depth_A + radius_A) / (g + radius_A) : 0;
+  return g < 0 ? -stiffness(ring) * g * (y[W] - depth_A + radius_A) / (g + radius_A) : 0;
 }
 
 Density SphereContact::operator()(const Ring& ring, const LocalState& y) const {
   Density density;
   const double g = gap(ring, y);
   if (g >= 0) return density;
-  const double k = stiffness_eV_per_A2 / ring.area_A2;
+  const double k = stiffness(ring) / ring.area_A2;
   const double distance = g + radius_A;
   const Eigen::Vector2d n = Eigen::Vector2d(ring.radius_A + y[U], y[W] - depth_A + radius_A) / distance;
   const Eigen::Matrix2d across = (Eigen::Matrix2d::Identity() - n * n.transpose()) / distance;

@@ -53,18 +53,22 @@ struct Pressure {
 };
 
 /// A rigid frictionless sphere: ½ k g² per ring where the gap g = |x − centre| − radius is negative. The
-/// stiffness is a ring's, not an area's: however small the spot that bears the load, it enters the sphere by
-/// no more than force/k.
+/// stiffness is a ring's: however small the spot that bears the load, it enters the sphere by no more than force/k. To
+/// find the contact there is a foundation's, per area: however wide the sphere is entered, no ring is pulled like a point,
+/// which a law that softens could not bear.
 struct SphereContact {
   double radius_A = 0;
-  double depth_A = 0;              ///< of its lowest point
-  double stiffness_eV_per_A2 = 0;  ///< k
+  double depth_A = 0;               ///< of its lowest point
+  double stiffness_eV_per_A2 = 0;   ///< k
+  double foundation_eV_per_A4 = 0;  ///< the same per reference area
 
   Density operator()(const Ring& ring, const LocalState& y) const;
   /// Negative inside the sphere, Å.
   double gap(const Ring& ring, const LocalState& y) const;
   /// Vertical force on a ring, eV/Å.
   double force(const Ring& ring, const LocalState& y) const;
+  /// Of a ring, eV/Å².
+  double stiffness(const Ring& ring) const { return stiffness_eV_per_A2 + foundation_eV_per_A4 * ring.area_A2; }
 };
 
 /// The terms that are spread over the whole sheet.

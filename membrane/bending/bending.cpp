@@ -6,8 +6,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "membrane/refusal.hpp"
-
 namespace membrane {
 namespace {
 
@@ -18,11 +16,7 @@ Eigen::Vector3d in_space(const Eigen::Vector2d& point) { return {point[0], point
 Bending::Bending(const std::vector<Eigen::Vector2d>& nodes, const std::vector<std::array<int, 3>>& triangles,
                  BendingModuli moduli, const std::function<SlopeSupport(int, int)>& slope)
     : nodes_(nodes) {
-  if (!(moduli.mean_eV > 0) || !std::isfinite(moduli.mean_eV))
-    refuse("bending.mean_eV", moduli.mean_eV, "must be positive and finite");
-  if (!(moduli.gaussian_eV < 0 && moduli.gaussian_eV > -2 * moduli.mean_eV))
-    refuse("bending.gaussian_eV", moduli.gaussian_eV,
-           "must lie between -2 bending.mean_eV and 0, both excluded");
+  moduli.check();
   for (const auto& corners : triangles) triangles_.push_back({corners, {}, {}});
   find_edges(slope);
   for (Triangle& triangle : triangles_) set_stiffness(triangle, moduli);

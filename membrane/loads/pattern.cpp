@@ -14,6 +14,12 @@ Eigen::VectorXd Pattern::direction() const {
   return direction;
 }
 
+Pattern Pattern::padded(Eigen::Index nodes) const {
+  Pattern all{Eigen::VectorXd::Zero(nodes)};
+  all.weights.head(weights.size()) = weights;
+  return all;
+}
+
 Pattern point_pattern(int nodes, int node) {
   if (node < 0 || node >= nodes) throw std::out_of_range("point_pattern: no such node");
   Pattern pattern{Eigen::VectorXd::Zero(nodes)};

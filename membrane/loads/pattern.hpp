@@ -15,6 +15,9 @@ struct Pattern {
 
   /// dd/du over all degrees of freedom: −p_i at the z components, 0 elsewhere.
   Eigen::VectorXd direction() const;
+
+  /// The same over more nodes, which bear nothing.
+  Pattern padded(Eigen::Index nodes) const;
 };
 
 /// The whole force on one node of `nodes`. Throws std::out_of_range for a node that is not there.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace membrane {
 namespace {
@@ -13,17 +14,29 @@ constexpr double growth = 1 - width_exponent;
 /// least (0.12 % with 44 rings; 0.15 % with 1, 0.12 % with 3, falling as the square of the rings).
 constexpr double edge_widening = 2;
 constexpr int fewest_rings_under_load = 6;
+/// Of a sheet that bends: ring widths at the load over √(κ/E·h) (0.23 Å for graphene).
+constexpr double edge_layers = 6, point_layers = 1;
+constexpr double widening = 0.15;     // of the width, per distance from there
+constexpr double widest_share = 1.2;  // of the mean width
 
-/// Ring coordinate s(r) = ∫ dr/h, up to a factor, and its inverse. Under the load it rises to edge_widening.
+/// Ring coordinate s(r) = ∫ dr/h, up to a factor, and its inverse.
 class Grading {
  public:
-  explicit Grading(double load_radius) : c_(load_radius) {}
+  virtual ~Grading() = default;
+  virtual double coordinate(double r) const = 0;
+  virtual double radius(double s) const = 0;
+};
 
-  double coordinate(double r) const {
+/// Of a membrane. Under the load the coordinate rises to edge_widening.
+class TipGrading final : public Grading {
+ public:
+  explicit TipGrading(double load_radius) : c_(load_radius) {}
+
+  double coordinate(double r) const override {
     if (c_ == 0) return std::pow(r, growth);
     return r <= c_ ? edge_widening * r / c_ : edge_widening + (std::pow(r / c_, growth) - 1) / growth;
   }
-  double radius(double s) const {
+  double radius(double s) const override {
     if (c_ == 0) return std::pow(s, 1 / growth);
     return s <= edge_widening ? c_ * s / edge_widening
                               : c_ * std::pow(1 + growth * (s - edge_widening), 1 / growth);
@@ -32,6 +45,45 @@ class Grading {
  private:
   double c_;
 };
+
+/// Of a sheet that bends: h rises linearly with the distance from the load, up to a largest width.
+class LayerGrading final : public Grading {
+ public:
+  explicit LayerGrading(const RingDemand& demand) : step_(demand.sheet_radius_A / intervals), at_{0} {
+    for (int i = 0; i < intervals; ++i) at_.push_back(at_.back() + step_ / width(demand, (i + 0.5) * step_));
+  }
+
+  double coordinate(double r) const override {
+    const int i = std::clamp(static_cast<int>(r / step_), 0, intervals - 1);
+    return at_[i] + (at_[i + 1] - at_[i]) * (r / step_ - i);
+  }
+  double radius(double s) const override {
+    const auto above = std::upper_bound(at_.begin() + 1, at_.end() - 1, s);
+    const double low = *(above - 1);
+    return step_ * (static_cast<double>(above - 1 - at_.begin()) + (s - low) / (*above - low));
+  }
+
+ private:
+  static constexpr int intervals = 4000;
+
+  static double width(const RingDemand& demand, double r) {
+    const auto near = [&](double layers, double away) {
+      return layers * demand.layer_A + widening * std::max(away, 0.0);
+    };
+    double width = widest_share * demand.sheet_radius_A / demand.rings;
+    if (demand.load_radius_A > 0) width = std::min(width, near(edge_layers, r - demand.load_radius_A));
+    if (demand.at_point) width = std::min(width, near(point_layers, r));
+    return width;
+  }
+
+  double step_;
+  std::vector<double> at_;  ///< coordinate at every step
+};
+
+std::unique_ptr<Grading> grading_for(const RingDemand& demand) {
+  if (demand.layer_A > 0) return std::make_unique<LayerGrading>(demand);
+  return std::make_unique<TipGrading>(demand.load_radius_A);
+}
 
 struct Anchor {
   double radius;
@@ -64,7 +116,8 @@ void add_record_anchor(const Grading& grading, double radius, std::vector<Anchor
 }  // namespace
 
 std::vector<double> graded_radii(const RingDemand& demand) {
-  const Grading grading(demand.load_radius_A);
+  const std::unique_ptr<Grading> chosen = grading_for(demand);
+  const Grading& grading = *chosen;
   std::vector<Anchor> anchors{{0, 0}};
   if (demand.load_radius_A > 0) anchors.push_back(load_anchor(grading, demand));
   anchors.push_back({demand.sheet_radius_A, demand.rings});

@@ -58,7 +58,8 @@ struct Check {
 struct MeshOf {
   const MeshDemand& demand;
   Mesh operator()(const DiscSheet& disc) const {
-    const RingDemand rings{disc.radius_A, demand.load_radius_A, demand.record_radius_A, disc.rings};
+    const RingDemand rings{disc.radius_A, demand.load_radius_A, demand.record_radius_A,
+                           disc.rings,    demand.layer_A,       demand.at_point};
     Mesh mesh = disc_mesh(disc.spacing == RingSpacing::graded ? graded_radii(rings) : uniform_radii(rings), disc.extent);
     mesh.support(Edge::rim, disc.rim);
     return mesh;

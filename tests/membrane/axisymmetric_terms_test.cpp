@@ -43,6 +43,7 @@ std::vector<NamedTerm> all_terms() {
   add("bending", Bending{0.966});
   add("pressure", Pressure{0.003});
   add("contact, entered", SphereContact{20, 30, 40});
+  add("contact, on a foundation", SphereContact{20, 30, 0, 3});
   add("contact, clear", SphereContact{20, 5, 40});
   for (const auto& [name, law] : membrane::testing::laws()) {
     add("stretching, " + name, Stretching{law, 0.01, false, 0});

@@ -84,7 +84,8 @@ auto log_energy(const L& law) {
 }
 
 TEST(Spatial, PrincipalFormsOfStressAndTangentAreThePushedForwardOnes) {
-  over_laws([](const auto& law) {
+  over_laws([]<class L>(const L& law) {
+    if (!IsotropicLaw<L>) return;  // strain and force have no common axes
     for (const auto& [a, b] : {std::pair{0.08, 0.02}, {0.1, -0.05}, {-0.02, -0.06}}) {
       const Stretched at(a, b);
       const LogDerivatives psi(log_energy(law), {a, b});

@@ -38,7 +38,7 @@ inline CauchyBorn some_lattice() {
 /// The same as a table, its coefficients without any order, and with directions.
 inline CauchyBornTable some_table() {
   CauchyBornTable law{17.33, 0.3645, {-0.2, 0.35, 3}, {0, 0.18, 2}, {}};
-  for (int k = 0; k < law.coefficient_count(); ++k) law.coefficients_eV_per_A2.push_back(-4 + 3 * std::sin(1.7 * k * k));
+  for (int k = 0; k < law.coefficient_count(); ++k) law.coefficients_eV_per_A2.push_back(-4 + 1.5 * std::sin(1.7 * k * k));
   return law;
 }
 inline CauchyBornSixfold some_hexagonal_lattice(double zigzag_rad) {
