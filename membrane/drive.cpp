@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 constexpr int cells_for_tucks = 20, cells_in_plane = 5;
 
 /// Rotations begin in the middle between their triangles.
-VectorXd padded(const Model& model, const VectorXd& of_nodes) {
+VectorXd padded(Model& model, const VectorXd& of_nodes) {
   VectorXd all = VectorXd::Zero(model.energy().dof_count());
   all.head(of_nodes.size()) = of_nodes;
   return all;
