@@ -15,10 +15,16 @@ namespace {
 constexpr int most_cuts = 12;  // failed attempts on the way to one level
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
-/// A foundation, of E·h over the sphere's radius squared, finds the contact; with the last stiffness of the rings, of E·h,
-/// a sphere is entered by some 1e-7 of its radius at most.
-constexpr double contact_foundation = 40;
-constexpr double contact_stiffness[] = {1e2, 1e5};
+/// A stiffness of the contact on the way to a rigid one: of the rings, over E·h, or of a foundation, over E·h and the
+/// inverse square of the sphere's radius.
+struct Stride {
+  double rings = 0, foundation = 0;
+};
+/// Ways there, tried one after the other. A foundation pulls no ring like a point, which a law that softens could not
+/// bear; rings alone reach smaller spheres. With the last stiffness a sphere is entered by some 1e-7 of its radius at most.
+const std::vector<Stride> ways_to_contact[] = {{{0, 40}, {1e2, 0}, {1e5, 0}},
+                                               {{1, 0}, {1e2, 0}, {1e5, 0}},
+                                               {{0, 40}, {0, 1e3}, {1e2, 0}, {1e3, 0}, {1e4, 0}, {1e5, 0}}};
 
 class Path {
  public:
@@ -125,17 +131,23 @@ class Path {
 
   /// The sphere at a depth.
   void press(Attempt& at) {
+    const Eigen::VectorXd start = at.known.x;
+    for (const std::vector<Stride>& way : ways_to_contact) {
+      at.known.x = start;
+      press(at, way);
+      if (at.equilibrium.converged) return;
+    }
+  }
+
+  void press(Attempt& at, const std::vector<Stride>& way) {
     SphereContact& contact = *assembly_.contact();
     contact.depth_A = at.known.depth_A;
     const double modulus = sheet_modulus(problem_);
-    contact.foundation_eV_per_A4 = contact_foundation * modulus / (contact.radius_A * contact.radius_A);
-    contact.stiffness_eV_per_A2 = 0;
-    find({}, at);
-    contact.foundation_eV_per_A4 = 0;
-    for (double stiffness : contact_stiffness) {
+    for (const Stride& stride : way) {
+      contact.stiffness_eV_per_A2 = stride.rings * modulus;
+      contact.foundation_eV_per_A4 = stride.foundation * modulus / (contact.radius_A * contact.radius_A);
+      if (stride.foundation > 0 || &stride == &way.front() || !find_by_whole_steps(at)) find({}, at);
       if (!at.equilibrium.converged) return;
-      contact.stiffness_eV_per_A2 = stiffness * modulus;
-      if (!find_by_whole_steps(at)) find({}, at);
     }
     at.known.force_eV_per_A = assembly_.contact_sum(
         at.known.x, [&](const Ring& ring, const LocalState& y) { return contact.force(ring, y); });

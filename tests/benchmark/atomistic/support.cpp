@@ -7,6 +7,10 @@
 
 #include "atomistic/card.hpp"
 #include "atomistic/protocol/math_threads.hpp"
+#include "atomistic/response.hpp"
+#include "compare/calibration/calibrated_law.hpp"
+#include "compare/calibration/states.hpp"
+#include "compare/pairing.hpp"
 #include "compare/potential_file.hpp"
 
 namespace benchmark_support {
@@ -22,6 +26,27 @@ Load load_of(const std::string& name, double radius_A) {
                                              {"disc", DiscLoad{radius_A / 11}},
                                              {"sphere", SphereLoad{.radius_A = radius_A / 4}}};
   return loads.at(name);
+}
+
+const compare::CalibratedLaw& law(const std::string& name) {
+  static std::map<std::string, compare::CalibratedLaw> laws;
+  if (!laws.contains(name)) {
+    const Card& c = card(name);
+    laws[name] = compare::calibrate(
+        c, compute_response(potential(name), c, compare::calibration_strains(c.bond_A()), "none").states);
+  }
+  return laws[name];
+}
+
+/// The shapes that the comparison hands over, too.
+std::vector<Guide> guides(const Problem& problem, const std::string& name, const std::string& load) {
+  compare::Case c;
+  c.radius_A = problem.radius_A;
+  c.tip_radius_A = load == "sphere" ? problem.radius_A / 4 : problem.radius_A / 11;
+  const compare::PairedSheet pair(c, problem.potential, problem.card);
+  return compare::guides_from(compare::calibrated_experiment(c, problem.card, law(name), pair, load, problem.levels,
+                                                             compare::Model::sheet, problem.potential.artefact_bond_A)
+                                  .problem);
 }
 
 }  // namespace
@@ -60,6 +85,7 @@ Problem disc_problem(const std::string& potential_name, double radius_A, const s
   problem.radius_A = radius_A;
   problem.load = load_of(load, radius_A);
   for (int k = 1; k <= 11; ++k) problem.levels.push_back(k * radius_A / 55);
+  problem.guides = guides(problem, potential_name, load);
   return problem;
 }
 
