@@ -57,7 +57,7 @@ void fit_the_membrane(MeasuredResult& result, const MeasuredOptions& options, co
     if (!sigma.empty()) spread.push_back(sigma[i]);
   }
   const ModelGeometry& m = options.geometry;
-  const MembraneTip tip{m.a_A, m.nu, m.tip_A, 0, options.sphere};
+  const MembraneTip tip{m.a_A, m.nu, m.tip_A, 0, options.sphere, options.physics};
   const MembraneFitReport report = fit_membrane(tip, depth, force, spread);
   if (!report.converged) {
     result.direct_skipped = report.reason;

@@ -18,6 +18,7 @@ struct MeasuredOptions {
   ModelGeometry geometry;               ///< radius, ν, tip radius, κ
   bool sphere = true;                   ///< the tip; else a disc of uniform load
   std::string model = "eq16";           ///< closed form that is fitted
+  std::optional<SheetPhysics> physics;  ///< of the sheet that is fitted itself; absent: the paper's membrane
   double depth_min_A = 0;               ///< points used: from this depth (after the shift) …
   std::optional<double> depth_max_A;    ///< … to this one
   std::optional<double> baseline_to_A;  ///< mean force of the points up to this raw depth is taken off

@@ -1,5 +1,7 @@
 #include "compare/membrane_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -8,6 +10,7 @@
 #include "compare/curve.hpp"
 #include "compare/fit.hpp"
 #include "compare/models/list.hpp"
+#include "compare/units.hpp"
 #include "membrane/axisymmetric/sheet.hpp"
 
 namespace compare {
@@ -34,7 +37,9 @@ sheet::SheetProblem problem_of(const MembraneTip& tip, double Eh, double pretens
                                const std::vector<double>& depth, int levels) {
   sheet::SheetProblem problem;
   problem.radius_A = tip.a_A;
-  problem.law = membrane::StVenantKirchhoff{Eh, tip.nu};
+  problem.law = tip.physics ? tip.physics->law(Eh) : membrane::StVenantKirchhoff{Eh, tip.nu};
+  problem.bending_modulus_eV = tip.physics ? tip.physics->bending_eV : 0;
+  problem.relaxed = !(problem.bending_modulus_eV > 0);
   problem.pretension_eV_per_A2 = pretension;
   problem.load = load_of(tip);
   problem.record_radius_A = tip.record_radius_A;
@@ -110,6 +115,22 @@ double rms(const std::vector<double>& residuals) {
 }
 
 }  // namespace
+
+SheetPhysics calibrated_physics(const membrane::CauchyBorn& law, double bending_eV, const std::string& potential) {
+  const auto scaled_law = [law](double Eh) -> membrane::Law {
+    membrane::CauchyBorn scaled = law;
+    const double factor = Eh / law.sheet_modulus_eV_per_A2;
+    scaled.sheet_modulus_eV_per_A2 = Eh;
+    for (membrane::InvariantTerm& term : scaled.terms) term.coefficient_eV_per_A2 *= factor;
+    return scaled;
+  };
+  return {scaled_law, bending_eV, fmt::format("sheet of {}'s own law, κ = {:.3g} eV", potential, bending_eV)};
+}
+
+SheetPhysics third_order_physics(double nu, double D, double bending_eV) {
+  return {[nu, D](double Eh) -> membrane::Law { return membrane::LeeGraphene{Eh, nu, D}; }, bending_eV,
+          fmt::format("sheet of third order, D = {:.4g} N/m, κ = {:.3g} eV", D * N_per_m_per_eV_per_A2, bending_eV)};
+}
 
 std::vector<double> membrane_forces(const MembraneTip& tip, double Eh, double pretension,
                                     const std::vector<double>& depth) {

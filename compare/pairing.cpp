@@ -214,14 +214,20 @@ membrane::CauchyBorn prestretched(membrane::CauchyBorn law, double stretch) {
 
 }  // namespace
 
+void set_calibrated(axi::SheetProblem& problem, const CalibratedLaw& law, double bending_modulus_eV, double stretch) {
+  const double strain = (stretch * stretch - 1) / 2;
+  problem.law = prestretched(law.law, stretch);
+  problem.pretension_eV_per_A2 = law.law({strain, strain, 0}).force_eV_per_A2[0];
+  problem.bending_modulus_eV = bending_modulus_eV / (stretch * stretch);
+  problem.relaxed = !(bending_modulus_eV > 0);
+}
+
 SheetExperiment calibrated_experiment(const Case& c, const atomistic::Card& card, const CalibratedLaw& law,
                                       const PairedSheet& pair, const std::string& load,
                                       const std::vector<double>& levels, Model model, double artefact_bond_A) {
   SheetExperiment e = sheet_experiment(c, load, levels, pair, card, model, Constants::calibrated);
-  const double stretch = 1 + pair.biaxial_strain(), strain = (stretch * stretch - 1) / 2;
-  e.problem.law = prestretched(law.law, stretch);
-  e.problem.pretension_eV_per_A2 = law.law({strain, strain, 0}).force_eV_per_A2[0];
-  e.problem.bending_modulus_eV /= stretch * stretch;
+  const double stretch = 1 + pair.biaxial_strain();
+  set_calibrated(e.problem, law, e.problem.bending_modulus_eV, stretch);
   e.run.pretension_eV_per_A2 = e.problem.pretension_eV_per_A2;
   e.longest_bond = law.longest_bond;
   e.stretch = stretch;

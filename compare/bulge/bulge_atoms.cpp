@@ -67,6 +67,21 @@ Profile profile_of(const SheetPicture& picture) {
   return sorted(profile);
 }
 
+namespace {
+
+/// Of the calibrated sheet, as far as it goes.
+std::vector<double> sheet_depths(const BulgePair& pair) {
+  std::vector<double> depths;
+  if (!pair.calibrated) return depths;
+  membrane::axisymmetric::solve(*pair.calibrated, [&](const membrane::axisymmetric::SheetStep& step) {
+    if (step.converged) depths.push_back(step.depth_A);
+    return step.converged;
+  });
+  return depths;
+}
+
+}  // namespace
+
 BulgeAtoms bulge_atoms(const BulgePair& pair, const AtomsCurve& curve, const std::vector<double>& membrane_depth_A,
                        const std::vector<SheetPicture>& pictures) {
   BulgeAtoms result;
@@ -75,6 +90,7 @@ BulgeAtoms bulge_atoms(const BulgePair& pair, const AtomsCurve& curve, const std
   result.free_atoms = pair.sheet.free_atoms;
   result.membrane_size_x_A = pair.size_A.x();
   result.membrane_size_y_A = pair.size_A.y();
+  const std::vector<double> sheet = sheet_depths(pair);
   for (std::size_t i = 0; i < curve.steps.size(); ++i) {
     const atomistic::Step& step = curve.steps[i];
     const double area = step.force_eV_per_A / step.target;  // force = pressure × flat area
@@ -84,6 +100,10 @@ BulgeAtoms bulge_atoms(const BulgePair& pair, const AtomsCurve& curve, const std
       point.depth_ratio = point.depth_A / point.membrane_depth_A;
       result.atoms_profile = profile_of(pair.sheet, step.positions);
       result.membrane_profile = profile_of(pictures[i]);
+    }
+    if (i < sheet.size()) {
+      point.sheet_depth_A = sheet[i];
+      point.sheet_ratio = point.depth_A / sheet[i];
     }
     result.points.push_back(point);
   }

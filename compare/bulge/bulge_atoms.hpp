@@ -16,6 +16,7 @@ namespace compare {
 /// One pressure on the atoms, beside the membrane's depth at it.
 struct BulgeAtomsPoint {
   double pressure_eV_per_A3 = not_known, depth_A = not_known, membrane_depth_A = not_known, depth_ratio = not_known;
+  double sheet_depth_A = not_known, sheet_ratio = not_known;
   double volume_A3 = not_known, energy_eV = not_known;
   bool converged = false, artefact = false;
   double longest_bond_A = not_known, max_force_eV_per_A = not_known, balance_relative = not_known;
@@ -29,6 +30,9 @@ void describe(Self& p, Visitor&& visit) {
   visit(Field{"depth", unit::length, "of the atoms at one bond from the axis"}, p.depth_A);
   visit(Field{"membrane_depth", unit::length, "of the membrane with the potential's constants there"}, p.membrane_depth_A);
   visit(Field{"depth_ratio", unit::none, "atoms / membrane"}, p.depth_ratio);
+  visit(Field{"sheet_depth", unit::length, "of the sheet of the potential's own law that bends; clamped discs only"},
+        p.sheet_depth_A);
+  visit(Field{"sheet_ratio", unit::none, "atoms / sheet"}, p.sheet_ratio);
   visit(Field{"volume", unit::volume, "under the bulge"}, p.volume_A3);
   visit(Field{"energy", unit::energy, "relative to the flat sheet"}, p.energy_eV);
   visit(Field{"converged", unit::none, "equilibrium reached"}, p.converged);

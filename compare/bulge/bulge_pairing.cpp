@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "compare/errors.hpp"
+#include "compare/pairing.hpp"
 
 namespace compare {
 namespace {
@@ -74,14 +75,28 @@ membrane::Problem membrane_of(const BulgeCase& c, const atomistic::Card& card, c
   return problem;
 }
 
+membrane::axisymmetric::SheetProblem calibrated_disc(const BulgeCase& c, const PotentialCard& card, const BulgePair& pair) {
+  membrane::axisymmetric::SheetProblem problem;
+  problem.radius_A = pair.size_A.x() / 2;
+  problem.load = membrane::axisymmetric::PressureLoad{};
+  problem.record_radius_A = pair.sheet.bond_A;
+  problem.levels = c.pressures_eV_per_A3;
+  set_calibrated(problem, *card.law, card.card.bending_modulus_eV(), 1 + pair.atoms.biaxial_strain);
+  return problem;
+}
+
 }  // namespace
 
-BulgePair pair_bulge(const BulgeCase& c, const atomistic::Potential& potential, const atomistic::Card& card) {
+BulgePair pair_bulge(const BulgeCase& c, const PotentialCard& card) {
   BulgePair pair;
-  pair.atoms = atoms_of(c, potential, card);
+  pair.atoms = atoms_of(c, card.potential.potential, card.card);
   pair.sheet = sheet_of(pair.atoms);
   pair.size_A = membrane_size(c, pair.sheet);
-  pair.membrane = membrane_of(c, card, pair.sheet, pair.size_A);
+  pair.membrane = membrane_of(c, card.card, pair.sheet, pair.size_A);
+  if (card.law && c.shape == "disc" && c.edge == "clamped") {
+    pair.calibrated = calibrated_disc(c, card, pair);
+    pair.atoms.guides = guides_from(*pair.calibrated);
+  }
   return pair;
 }
 

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "atomistic/sheet.hpp"
 #include "compare/bulge/bulge_case.hpp"
+#include "compare/potential_card.hpp"
+#include "membrane/axisymmetric/sheet.hpp"
 
 namespace compare {
 
 struct BulgePair {
+  std::optional<membrane::axisymmetric::SheetProblem> calibrated;  ///< a clamped disc of the potential's own law that bends
   atomistic::Sheet sheet;
   atomistic::Problem atoms;
   membrane::Problem membrane;
@@ -20,7 +24,8 @@ struct BulgePair {
 ///   sliding: its edges where the sheet's outermost atoms are, which the supports hold at z = 0;
 ///   both: the depth of record at one bond from the axis (on a square's grid: the centre), the case's pretension, imposed on
 ///   the atoms as biaxial strain.
+/// A clamped disc has a calibrated sheet beside it, whose shapes the atoms start from.
 /// Throws Error (bad input) for a sheet too small for a lattice.
-BulgePair pair_bulge(const BulgeCase& c, const atomistic::Potential& potential, const atomistic::Card& card);
+BulgePair pair_bulge(const BulgeCase& c, const PotentialCard& card);
 
 }  // namespace compare

@@ -116,12 +116,12 @@ AtomsCurve solve(const Asked& a, const RunOptions& options, const RunFolder& fol
   AtomsCurve curve;
   if (a.potential) {
     const AtomsLaunch launch = launch_of(options);
-    const atomistic::Card card = potential_card(*a.potential, launch, card_cache(), false).card;
-    result.resolved.E_eV_per_A3 = card.sheet_modulus_eV_per_A2() / a.c.thickness_A;
-    result.resolved.nu = card.nu();
+    const PotentialCard card = potential_card(*a.potential, launch, card_cache(), false);
+    result.resolved.E_eV_per_A3 = card.card.sheet_modulus_eV_per_A2() / a.c.thickness_A;
+    result.resolved.nu = card.card.nu();
     result.provenance.potential_file = a.potential->potential.file;
     result.provenance.potential_sha256 = a.potential->sha256;
-    curve = solve_pair(pair_bulge(a.c, a.potential->potential, card), launch, options.ranks, folder, result, progress);
+    curve = solve_pair(pair_bulge(a.c, card), launch, options.ranks, folder, result, progress);
   } else {
     solve_membrane(bulge_problem(a.c), result, progress);
   }

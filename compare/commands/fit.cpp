@@ -14,6 +14,8 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/errors.hpp"
 #include "compare/field_value.hpp"
+#include "compare/paths.hpp"
+#include "compare/potential_card.hpp"
 #include "compare/measured_fit.hpp"
 #include "compare/outputs/file.hpp"
 #include "compare/outputs/measured_report.hpp"
@@ -33,6 +35,7 @@ struct FitFlags {
   std::string radius, nu, tip, tip_radius, bending, model = "eq16", weights = "uniform";
   std::string depth_column, force_column, sigma_column;
   std::string depth_min, depth_max, baseline, contact;
+  std::string potential, third_order;
   bool fit_force_zero = false, quiet = false;
   int bootstrap = 500;
   unsigned seed = 1;
@@ -70,12 +73,36 @@ Weighting weighting(const std::string& name) {
                               : Weighting::uniform;
 }
 
-MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve) {
+/// The card of the potential whose sheet is fitted.
+std::optional<PotentialCard> card_of(const FitFlags& flags) {
+  if (flags.potential.empty()) return std::nullopt;
+  if (!flags.third_order.empty()) throw bad_input("--third-order: the potential of --potential has its own law");
+  const PotentialFile file = read_potential(flags.potential, inputs_folder() / "potentials", "--potential");
+  for (const std::string& warning : file.warnings) spdlog::warn("{}", warning);
+  PotentialCard card = potential_card(file, {.program = atoms_program(), .launcher = {}, .cores = 1}, card_cache(), false);
+  if (!card.law) throw bad_input("--potential: '{}' has no calibrated law: {}", flags.potential, card.no_law);
+  return card;
+}
+
+/// What the sheet that is fitted itself is made of; absent: the paper's membrane.
+std::optional<SheetPhysics> physics_of(const FitFlags& flags, const std::optional<PotentialCard>& card,
+                                       const ModelGeometry& geometry) {
+  if (card) {
+    const double bending = flags.bending.empty() ? card->card.bending_modulus_eV() : geometry.bending_eV;
+    return calibrated_physics(card->law->law, bending, card->potential.potential.name);
+  }
+  if (flags.third_order.empty()) return std::nullopt;
+  const double D = parse_number(Field{"third-order", unit::membrane_force, "", any_number()}, flags.third_order, "--third-order");
+  return third_order_physics(geometry.nu, D, geometry.bending_eV);
+}
+
+MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve, const std::optional<PotentialCard>& card) {
   MeasuredOptions o;
   o.geometry.a_A = need(Field{"radius", unit::length, "radius of the suspended sheet", positive()},
                         given("radius", flags.radius, curve));
-  o.geometry.nu =
-      need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, given("nu", flags.nu, curve));
+  const Given nu = given("nu", flags.nu, curve);
+  const bool from_card = card && flags.nu.empty();
+  o.geometry.nu = from_card ? card->card.nu() : need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, nu);
   const Given tip = given("tip-radius", flags.tip_radius, curve);
   if (!tip.text.empty())
     o.geometry.tip_A =
@@ -86,6 +113,7 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve) {
   if (!flags.bending.empty())
     o.geometry.bending_eV =
         parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
+  o.physics = physics_of(flags, card, o.geometry);
   o.model = flags.model;
   const ClosedForm& form = closed_form(o.model, "--model");
   if (form.pressure) throw bad_input("--model: '{}' gives a pressure, not a force", o.model);
@@ -137,9 +165,10 @@ int fit(const FitFlags& flags) {
   atomistic::use_one_math_thread();
   std::vector<MeasuredResult> results;
   std::vector<MeasuredOptions> options;
+  const std::optional<PotentialCard> card = card_of(flags);
   for (const std::string& file : flags.files) {  // everything is read and checked before anything is written
     MeasuredCurve curve = read_measured(file, {flags.depth_column, flags.force_column, flags.sigma_column});
-    options.push_back(options_of(flags, curve));
+    options.push_back(options_of(flags, curve, card));
     results.push_back(evaluate(std::move(curve), options.back()));
   }
   if (flags.json != "-")
@@ -165,6 +194,8 @@ constexpr const char* examples =
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit *.csv --radius "0.5 um" --nu 0.165 --baseline 0 --contact fit --out fits
+  validate fit curve.csv --radius "0.5 um" --tip-radius "16.5 nm" --potential lcbop
+  validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
 
 }  // namespace
@@ -181,7 +212,10 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--nu", flags->nu, "Poisson's ratio; > -1 and < 1", "NUMBER");
   text("--tip", flags->tip, "shape of the tip; sphere, disc; default sphere", "NAME");
   text("--tip-radius", flags->tip_radius, "radius of the tip; 0 is a point; default 0");
-  text("--bending", flags->bending, "bending modulus in eV, for the model plate and the warnings", "NUMBER");
+  text("--bending", flags->bending, "bending modulus in eV, for the model plate, the warnings and the sheet", "NUMBER");
+  text("--potential", flags->potential, "fit a sheet of this potential's own law, with bending, beside the closed form", "NAME");
+  text("--third-order", flags->third_order,
+       "fit a sheet with S = E·h E + D E²: this D, -690 N/m in Lee et al. 2008");
   text("--model", flags->model, "closed form to fit; default eq16", "NAME");
   text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform",
        "NAME");

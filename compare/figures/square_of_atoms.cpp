@@ -251,8 +251,8 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   const std::string name = std::filesystem::path(potential).stem().string();
   const PotentialFile file = read_potential(potential, inputs_folder() / "potentials", "--potential");
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = available_cores()};
-  const atomistic::Card card = potential_card(file, launch, card_cache(), false).card;
-  const BulgePair pair = pair_bulge(square_case(potential), file.potential, card);
+  const PotentialCard card = potential_card(file, launch, card_cache(), false);
+  const BulgePair pair = pair_bulge(square_case(potential), card);
   context.progress.say(fmt::format("figure 4: {} atoms, {} starts", pair.sheet.atoms(), context.starts));
   const Square membrane = solve_square(pair.membrane, 1);  // over a thickness of 1 Å stresses are membrane forces
   const std::vector<Found> all = search_states(pair, pressure_eV_per_A3, launch, context);

@@ -27,16 +27,18 @@ std::string interval(const std::array<double, 2>& ends, int digits) {
   return fmt::format("  95 %: {:.{}f} … {:.{}f}", in_N_per_m(ends[0]), digits, in_N_per_m(ends[1]), digits);
 }
 
-void add_corrections(std::string& text, const Fit& fit) {
+void add_corrections(std::string& text, const Fit& fit, const MeasuredOptions& options) {
   if (!fit.direct) return;
-  add_row(text, "membrane itself: E·h", fit.direct->Eh_eV_per_A2, fit.direct->Eh_stderr_eV_per_A2, 1);
+  if (options.physics) text += "  " + options.physics->name + ", fitted itself:\n";
+  add_row(text, options.physics ? "sheet itself: E·h" : "membrane itself: E·h", fit.direct->Eh_eV_per_A2,
+          fit.direct->Eh_stderr_eV_per_A2, 1);
   add_row(text, "  pretension", fit.direct->pretension_eV_per_A2, fit.direct->pretension_stderr_eV_per_A2, 3,
           fmt::format("  rms {:.2f} %", 100 * fit.direct->rms_relative));
   if (!fit.bias) return;
   const FitBias& bias = *fit.bias;
   fmt::format_to(
       std::back_inserter(text),
-      "  the closed form reads from that membrane: E·h {:.1f} N/m ({:+.1f} %), pretension {:.3f} N/m\n",
+      "  the closed form reads from that: E·h {:.1f} N/m ({:+.1f} %), pretension {:.3f} N/m\n",
       in_N_per_m(bias.Eh_read_eV_per_A2), 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1),
       in_N_per_m(bias.pretension_read_eV_per_A2));
   fmt::format_to(std::back_inserter(text), "  corrected by that: E·h {:.1f} N/m, pretension {:.3f} N/m\n",
@@ -70,8 +72,8 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
                  "bootstrap ± {:.1f} and ± {:.3f} N/m\n",
                  fit.correlation, fit.condition_number, fit.r_squared, 100 * fit.rms_relative,
                  in_N_per_m(fit.Eh_bootstrap_eV_per_A2), in_N_per_m(fit.pretension_bootstrap_eV_per_A2));
-  add_corrections(text, fit);
-  if (!fit.direct) text += "  no fit of the membrane itself: " + result.direct_skipped + "\n";
+  add_corrections(text, fit, options);
+  if (!fit.direct) text += fmt::format("  no fit of the {} itself: ", options.physics ? "sheet" : "membrane") + result.direct_skipped + "\n";
   for (const std::string& warning : fit.warnings) text += "  warning: " + warning + "\n";
   return text;
 }

@@ -104,6 +104,39 @@ TEST(MembraneFit, NoiseWidensTheErrorsNotTheTruth) {
   EXPECT_GT(direct.fit.Eh_stderr_eV_per_A2, 1e-4 * Eh);
 }
 
+/// A sheet that softens and bends is fitted by itself; the paper's membrane misreads it.
+TEST(MembraneFit, ASheetOfThirdOrderGivesBackItsConstants) {
+  const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = 0.34 / N_per_m_per_eV_per_A2;
+  const double D = -690 / N_per_m_per_eV_per_A2;
+  MembraneTip sheet{5000, 0.165, 165, 0};
+  sheet.physics = third_order_physics(0.165, D, 1.4);
+  const auto d = depths();
+  const auto force = membrane_forces(sheet, Eh, pretension, d);
+  const MembraneFitReport direct = fit_membrane(sheet, d, force, {});
+  ASSERT_TRUE(direct.converged) << direct.reason;
+  EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / Eh, 1, 5e-4);
+  EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / pretension, 1, 5e-3);
+  MembraneTip plain = sheet;
+  plain.physics.reset();
+  const MembraneFitReport misread = fit_membrane(plain, d, force, {});
+  ASSERT_TRUE(misread.converged) << misread.reason;
+  EXPECT_LT(misread.fit.Eh_eV_per_A2 / Eh, 0.99);
+}
+
+/// 110 Å of AIREBO-like graphene: bending is most of the force at first.
+TEST(MembraneFit, ASmallSheetThatBendsGivesBackItsConstants) {
+  membrane::CauchyBorn law{17.3356, 0.3645, {{3, 0, -15.8}, {1, 2, -60}}};
+  MembraneTip sheet{111.05, 0.3645, 10.08, 1.4};
+  sheet.physics = calibrated_physics(law, 0.967, "airebo");
+  std::vector<double> d;
+  for (int i = 1; i <= 12; ++i) d.push_back(2.0 * i);
+  const auto force = membrane_forces(sheet, 17.3356, 0.02, d);
+  const MembraneFitReport direct = fit_membrane(sheet, d, force, {});
+  ASSERT_TRUE(direct.converged) << direct.reason;
+  EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / 17.3356, 1, 2e-3);
+  EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / 0.02, 1, 2e-2);
+}
+
 TEST(MembraneFit, SaysWhyItFails) {
   const MembraneTip tip{5000, 0.165, 165, 0};
   const MembraneFitReport two = fit_membrane(tip, {10, 20}, {1, 2}, {});
