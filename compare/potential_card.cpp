@@ -11,6 +11,7 @@
 
 #include "atomistic/protocol/json.hpp"
 #include "compare/calibration/states.hpp"
+#include "compare/calibration/variants.hpp"
 #include "compare/errors.hpp"
 #include "compare/outputs/file.hpp"
 #include "compare/provenance.hpp"
@@ -72,6 +73,7 @@ void keep(const PotentialCard& card, const fs::path& file) {
 void add_law(PotentialCard& card) {
   try {
     card.law = calibrate(card.card, card.response.states);
+    card.law->sixfold = calibrate_sixfold(card.card, card.response.states);
   } catch (const std::invalid_argument& reason) {
     card.no_law = reason.what();
   }

@@ -7,6 +7,7 @@
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
 #include "membrane/laws/cauchy_born.hpp"
+#include "membrane/laws/cauchy_born_sixfold.hpp"
 
 namespace compare {
 
@@ -40,6 +41,7 @@ struct Convexity {
 
 struct CalibratedLaw {
   membrane::CauchyBorn law;
+  membrane::CauchyBornSixfold sixfold;  ///< the same with the lattice's directions; no terms: not calibrated
   int degree = 0;
   std::vector<double> standard_errors_eV_per_A2;  ///< of law.terms
   double condition_number = 0;

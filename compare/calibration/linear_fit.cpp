@@ -49,4 +49,21 @@ LinearFit linear_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const E
   return fit;
 }
 
+Eigen::VectorXd least_norm_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::VectorXd& weights) {
+  constexpr double tolerance = 1e-9;  // singular values below this share of the largest count as zero
+  const auto n = static_cast<std::size_t>(X.rows()), p = static_cast<std::size_t>(X.cols());
+  if (n < p) throw std::invalid_argument(fmt::format("{} values are too few for {} coefficients", n, p));
+  RowMajor rows = X, covariance(X.cols(), X.cols());
+  Eigen::VectorXd values = y, w = weights, coefficients(X.cols());
+  auto matrix = gsl_matrix_view_array(rows.data(), n, p), cov = gsl_matrix_view_array(covariance.data(), p, p);
+  auto y_view = gsl_vector_view_array(values.data(), n), w_view = gsl_vector_view_array(w.data(), n);
+  auto c_view = gsl_vector_view_array(coefficients.data(), p);
+  const std::unique_ptr<gsl_multifit_linear_workspace, FreeWorkspace> work(gsl_multifit_linear_alloc(n, p));
+  double chi_squared = 0;
+  std::size_t rank = 0;
+  gsl_multifit_wlinear_tsvd(&matrix.matrix, &w_view.vector, &y_view.vector, tolerance, &c_view.vector, &cov.matrix,
+                            &chi_squared, &rank, work.get());
+  return coefficients;
+}
+
 }  // namespace compare

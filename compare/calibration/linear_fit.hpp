@@ -15,4 +15,7 @@ struct LinearFit {
 /// others make up.
 LinearFit linear_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::VectorXd& weights);
 
+/// The coefficients of least norm among those that minimise it, where the rows do not determine all of them.
+Eigen::VectorXd least_norm_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::VectorXd& weights);
+
 }  // namespace compare

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/calibration/states.hpp"
+#include "compare/calibration/variants.hpp"
 #include "compare/errors.hpp"
 #include "compare/outputs/file.hpp"
 #include "compare/outputs/gnuplot.hpp"
@@ -81,6 +82,16 @@ Json law_document(const CalibratedLaw& c) {
   return j;
 }
 
+/// The forms that a law can take, and whether a force would notice.
+std::string variant_lines(const PotentialCard& p) {
+  std::string text = "\n  form      coefficients   misfit rms   worst   force under a disc of 10 Å on 110 Å\n";
+  for (const LawVariant& v : law_variants(p.card, p.response.states))
+    text += fmt::format("  {:10}{:12}{:11.3f} %{:7.2f} %   {:.3f} % from {}\n", v.name, v.coefficients, 100 * v.rms_misfit,
+                        100 * v.worst_misfit, 100 * v.force_difference,
+                        v.name == "sixfold" ? "degree 8" : v.name == "table" ? "itself" : "the table");
+  return text;
+}
+
 std::string law_lines(const PotentialCard& p) {
   if (!p.law) return fmt::format("\nno calibrated law: {}\n", p.no_law);
   const CalibratedLaw& c = *p.law;
@@ -94,7 +105,7 @@ std::string law_lines(const PotentialCard& p) {
   line(c.convexity.convex() ? "convex in its range" : "NOT convex in its range",
        fmt::format("smallest stiffness {:.3f} eV/Å² at E1 = {:.3f}, E2 = {:.3f}", c.convexity.smallest_eigenvalue_eV_per_A2,
                    c.convexity.E1, c.convexity.E2));
-  return text;
+  return text + variant_lines(p);
 }
 
 std::string csv(const PotentialCard& card) {

@@ -9,6 +9,7 @@
 
 #include "compare/calibration/linear_fit.hpp"
 #include "compare/calibration/states.hpp"
+#include "compare/calibration/variants.hpp"
 
 namespace compare {
 namespace {
@@ -115,6 +116,35 @@ TEST(Calibration, RefusesTooFewStates) {
   for (std::size_t i = 16; i < few.size(); ++i) few[i].converged = false;
   EXPECT_THROW(calibrate(card(), few), std::invalid_argument);
   EXPECT_NO_THROW(calibrate(card(), answers(), 5));
+}
+
+TEST(Calibration, EveryFormGivesThePolynomialSheet) {
+  // An isotropic sheet of fourth degree: the table, the sixfold form and the polynomials from 5 on hold it exactly.
+  for (const LawVariant& form : law_variants(card(), answers())) {
+    EXPECT_LT(form.worst_misfit, 1e-6) << form.name;
+    EXPECT_LT(form.force_difference, 1e-5) << form.name;
+  }
+}
+
+TEST(Calibration, TheSixfoldFormFindsADirection) {
+  std::vector<atomistic::HomogeneousState> states = answers();
+  for (auto& s : states) {  // + 30 q³ cos 6θ
+    const double q = (s.strain.E11 - s.strain.E22) / 2, turn = 6 * s.strain.orientation_deg * std::numbers::pi / 180;
+    s.S11_eV_per_A2 += 45 * q * q * std::cos(turn);
+    s.S22_eV_per_A2 -= 45 * q * q * std::cos(turn);
+    s.S12_eV_per_A2 += -45 * q * q * std::sin(turn);  // dW/dφ of the doubled angle over 2 q
+  }
+  const membrane::CauchyBornSixfold law = calibrate_sixfold(card(), states);
+  for (auto& s : states) {
+    membrane::CauchyBornSixfold turned = law;
+    turned.zigzag_rad = -s.strain.orientation_deg * std::numbers::pi / 180;
+    const auto force = turned({s.strain.E11, s.strain.E22, 0}).force_eV_per_A2;
+    EXPECT_NEAR(force[0], s.S11_eV_per_A2, 1e-6);
+    EXPECT_NEAR(force[1], s.S22_eV_per_A2, 1e-6);
+    EXPECT_NEAR(force[2], s.S12_eV_per_A2, 1e-6);
+  }
+  for (const LawVariant& form : law_variants(card(), states))
+    if (form.name == "sixfold") EXPECT_LT(form.worst_misfit, 1e-6);
 }
 
 }  // namespace
