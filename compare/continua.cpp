@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "compare/calibration/variants.hpp"
 #include "compare/curves.hpp"
 #include "compare/explanation.hpp"
 #include "compare/interrupt.hpp"
@@ -24,6 +25,19 @@ const Run* atoms_of(const Result& result, const std::string& load) {
   const auto found = std::ranges::find_if(
       result.runs, [&](const Run& run) { return run.model == Model::atomistic && run.load == load; });
   return found == result.runs.end() ? nullptr : &*found;
+}
+
+/// At a few depths, which is enough for something so small and smooth. Dead loads only.
+Anisotropy anisotropy_of(const SheetExperiment& sheet, const CalibratedLaw& law) {
+  constexpr int parts = 3;
+  const auto* disc = std::get_if<axi::DiscLoad>(&sheet.problem.load);
+  if (!disc || sheet.run.conjugate_depth_A.empty() || law.sixfold.terms.empty()) return {};
+  Anisotropy found;
+  const double deepest = *std::ranges::max_element(sheet.run.conjugate_depth_A);
+  for (int i = 1; i <= parts; ++i) found.conjugate_depth_A.push_back(deepest * i / parts);
+  found.ratio = anisotropy_ratios(law, sheet.problem.radius_A, disc->radius_A, found.conjugate_depth_A);
+  found.conjugate_depth_A.resize(found.ratio.size());
+  return found;
 }
 
 }  // namespace
@@ -53,8 +67,9 @@ void solve(SheetExperiment& e) {
   e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", e.run.longest_bond_A.back());
 }
 
-void Continua::add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet) {
-  calibrated_.push_back({std::move(stages), std::move(membrane), std::move(sheet)});
+void Continua::add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet,
+                              const CalibratedLaw& law) {
+  calibrated_.push_back({std::move(stages), std::move(membrane), std::move(sheet), law, {}});
 }
 
 void Continua::start(bool all_fields) {
@@ -75,6 +90,7 @@ void Continua::solve_all(bool all_fields) {
   for (Calibrated& c : calibrated_) {
     for (SheetExperiment* e : {&c.sheet, &c.membrane, &c.stages[0], &c.stages[1], &c.stages[2]})
       if (!interrupted()) solve(*e);
+    if (!interrupted()) c.anisotropy = anisotropy_of(c.sheet, c.law);
   }
 }
 
@@ -88,7 +104,7 @@ void Continua::collect(Result& result) {
   for (const Calibrated& c : calibrated_) {
     const Run* atoms = atoms_of(result, c.sheet.run.load);
     if (!atoms) continue;
-    auto explanation = explain(*atoms, {&c.stages[0].run, &c.stages[1].run, &c.stages[2].run, &c.sheet.run});
+    auto explanation = explain(*atoms, {&c.stages[0].run, &c.stages[1].run, &c.stages[2].run, &c.sheet.run}, c.anisotropy);
     if (explanation) result.explanations.push_back(std::move(*explanation));
   }
   for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));

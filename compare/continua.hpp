@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "compare/explanation.hpp"
 #include "compare/pairing.hpp"
 #include "compare/result.hpp"
 
@@ -27,8 +28,9 @@ class Continua {
   Continua& operator=(const Continua&) = delete;
 
   void add(MembraneExperiment experiment) { membranes_.push_back(std::move(experiment)); }
-  /// Curves of the result, and the last of them on the way of the explanation.
-  void add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet);
+  /// Curves of the result, and those on the way of the explanation: `law` for the part of the lattice's directions.
+  void add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet,
+                      const CalibratedLaw& law);
 
   /// all_fields: keep the membranes' triangles at every depth.
   void start(bool all_fields);
@@ -42,6 +44,8 @@ class Continua {
   struct Calibrated {
     std::array<SheetExperiment, 3> stages;
     SheetExperiment membrane, sheet;
+    CalibratedLaw law;
+    Anisotropy anisotropy;
   };
 
   void solve_all(bool all_fields);

@@ -1,6 +1,7 @@
 #include "compare/explanation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -8,7 +9,17 @@
 
 namespace compare {
 
-std::optional<Explanation> explain(const Run& atoms, const Stages& stages) {
+double Anisotropy::at(double depth) const {
+  if (ratio.empty()) return not_known;
+  const auto above = std::ranges::lower_bound(conjugate_depth_A, depth) - conjugate_depth_A.begin();
+  const auto i = static_cast<std::size_t>(above);
+  if (i == 0) return ratio.front();
+  if (i >= ratio.size()) return ratio.back();
+  const double share = (depth - conjugate_depth_A[i - 1]) / (conjugate_depth_A[i] - conjugate_depth_A[i - 1]);
+  return std::lerp(ratio[i - 1], ratio[i], share);
+}
+
+std::optional<Explanation> explain(const Run& atoms, const Stages& stages, const Anisotropy& anisotropy) {
   std::vector<std::unique_ptr<Curve>> curves;
   for (const Run* stage : stages) {
     if (usable_points(*stage).size() < 2) return std::nullopt;
@@ -35,7 +46,10 @@ std::optional<Explanation> explain(const Run& atoms, const Stages& stages) {
     found.geometry.push_back((force[1] - force[0]) / plain);
     found.bending.push_back((force[2] - force[1]) / plain);
     found.large_strain.push_back((force[3] - force[2]) / plain);
-    found.remainder.push_back((atoms.force_eV_per_A[i] - force[3]) / plain);
+    const double directions = force[3] * (anisotropy.at(atoms.conjugate_depth_A[i]) - 1);
+    found.anisotropy.push_back(directions / plain);
+    const double known = std::isfinite(directions) ? directions : 0;
+    found.remainder.push_back((atoms.force_eV_per_A[i] - force[3] - known) / plain);
   }
   if (found.depth_A.empty()) return std::nullopt;
   return found;

@@ -162,6 +162,7 @@ struct Explanation {
   std::vector<double> geometry;              ///< radii of clamp and tip as the atoms have them
   std::vector<double> bending;
   std::vector<double> large_strain;  ///< the potential's own response for St Venant–Kirchhoff's
+  std::vector<double> anisotropy;    ///< its sixfold part; not known for a sphere, and part of the remainder there
   std::vector<double> remainder;     ///< what no continuum here has
 };
 

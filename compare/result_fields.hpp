@@ -248,6 +248,7 @@ void describe_points(Self& explanation, Visitor&& visit) {
   visit(Field{"geometry", unit::none, "radii of clamp and tip as the atoms have them"}, explanation.geometry);
   visit(Field{"bending", unit::none, "resistance to bending"}, explanation.bending);
   visit(Field{"large_strain", unit::none, "the potential's own response at large strain"}, explanation.large_strain);
+  visit(Field{"anisotropy", unit::none, "the lattice's directions"}, explanation.anisotropy);
   visit(Field{"remainder", unit::none, "what is left to the atoms' force"}, explanation.remainder);
 }
 

@@ -162,7 +162,7 @@ class Study {
     if (!law_) return;
     const std::vector<double> finer = depths ? with_halves(enclosing(levels)) : levels;
     continua_.add_calibrated(plain_experiments(case_, *card_, *pair_, load, finer),
-                             calibrated(load, finer, Model::membrane), calibrated(load, finer, Model::sheet));
+                             calibrated(load, finer, Model::membrane), calibrated(load, finer, Model::sheet), *law_);
   }
 
   /// Rings do not describe a sheet with defects.

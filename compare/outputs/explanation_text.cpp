@@ -34,7 +34,8 @@ std::vector<double> at_depths(const std::vector<double>& values, const Compariso
 std::vector<double> whole(const Explanation& e) {
   std::vector<double> sums(e.depth_A.size(), 0);
   for (const Share& share : shares())
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += (e.*share.values)[i];
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      if (std::isfinite((e.*share.values)[i])) sums[i] += (e.*share.values)[i];
   return sums;
 }
 
@@ -44,6 +45,7 @@ const std::vector<Share>& shares() {
   static const std::vector<Share> all = {{"radii of clamp and tip", &Explanation::geometry, "#999999"},
                                          {"bending", &Explanation::bending, "#0072B2"},
                                          {"large-strain response", &Explanation::large_strain, "#D55E00"},
+                                         {"anisotropy", &Explanation::anisotropy, "#CC79A7"},
                                          {"remainder", &Explanation::remainder, "#000000"}};
   return all;
 }
@@ -86,7 +88,10 @@ std::string explanation_commands(const Result& result) {
     fmt::format_to(std::back_inserter(data), "$explained{} << EOD\n", p);
     for (const std::size_t i : shown_depths(e.depth_A.size())) {
       fmt::format_to(std::back_inserter(data), "{:.3f}", e.depth_relative[i]);
-      for (const Share& share : shares()) fmt::format_to(std::back_inserter(data), " {}", 100 * (e.*share.values)[i]);
+      for (const Share& share : shares()) {
+        const double value = (e.*share.values)[i];
+        fmt::format_to(std::back_inserter(data), " {}", std::isfinite(value) ? 100 * value : 0);
+      }
       fmt::format_to(std::back_inserter(data), " {}\n", 100 * sums[i]);
     }
     data += "EOD\n";

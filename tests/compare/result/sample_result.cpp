@@ -160,8 +160,8 @@ Result full() {
     result.runs.push_back(calibrated_run(Model::sheet, load, stiffness, load == "disc" ? 0.0096 : 0.0146));
   }
   const Run plain_point = membrane_run("point", Constants::card, 1.12), plain_disc = membrane_run("disc", Constants::card, 1.5);
-  result.explanations = {*explain(result.runs[0], {&plain_point, &result.runs[2], &result.runs[6], &result.runs[7]}),
-                         *explain(result.runs[1], {&plain_disc, &result.runs[3], &result.runs[8], &result.runs[9]})};
+  result.explanations = {*explain(result.runs[0], {&plain_point, &result.runs[2], &result.runs[6], &result.runs[7]}, {{5, 20}, {1.001, 1.002}}),
+                         *explain(result.runs[1], {&plain_disc, &result.runs[3], &result.runs[8], &result.runs[9]}, {{5, 20}, {0.999, 0.998}})};
   add_biases(result);
   judge(result);
   compare_curves(result);
