@@ -62,6 +62,12 @@ void solve(SheetExperiment& e) {
     return !left_the_law && !interrupted();
   });
   close(e.run, report);
+  constexpr double near_breaking_A = 1.55;
+  const std::vector<double>& bonds = e.run.longest_bond_A;
+  if (!report.converged && !left_the_law && !bonds.empty() && bonds.back() >= near_breaking_A) {
+    e.run.ended = Ended::rupture;
+    e.run.ended_reason = fmt::format("the law bears no more: no equilibrium beyond a longest bond of {:.2f} Å", bonds.back());
+  }
   if (!left_the_law) return;
   e.run.ended = Ended::artefact;
   e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", e.run.longest_bond_A.back());

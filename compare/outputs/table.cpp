@@ -139,7 +139,7 @@ void add_notes(std::string& text, const Result& result, const Run& run) {
              100 * c->force_change_at_equal_depth_relative);
   }
   if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
-  const bool law_left = run.constants == Constants::calibrated && run.ended == Ended::artefact;  // told with the regimes
+  const bool law_left = run.constants == Constants::calibrated && run.ended != Ended::not_converged;  // what laws do
   if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
