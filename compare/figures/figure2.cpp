@@ -81,7 +81,10 @@ void add_runs(FigurePanel& point, FigurePanel& disc, const Result& result, const
     else if (run.constants == Constants::card)
       panel.curves.push_back(
           curve_of(run, potential + ", membrane", fmt::format("lines lw 1.5 lc rgb '{}'", colour)));
-    else if (first)
+    else if (run.model == Model::sheet)
+      panel.curves.push_back(
+          curve_of(run, potential + ", sheet of its own law", fmt::format("lines lw 1.2 dt '.' lc rgb '{}'", colour)));
+    else if (first && run.constants == Constants::paper)
       panel.curves.push_back(
           curve_of(run, "membrane, the paper's constants", "lines lw 2 dt '-' lc rgb 'black'"));
   }
