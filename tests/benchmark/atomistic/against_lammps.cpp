@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
   const auto word = [&](int k, const char* otherwise) { return std::string(argc > k ? argv[k] : otherwise); };
   const double force = std::stod(word(3, "2"));
   Problem problem = disc_problem(word(1, "tersoff"), std::stod(word(2, "110")), "disc");
+  problem.guides.clear();  // the same start as LAMMPS's own
   problem.control = Control::force;
   problem.levels = {force};
   fmt::print("{}, R = {} Å, disc, {} eV/Å; the force that the rim carries should be the load\n", problem.potential.name,
