@@ -194,7 +194,7 @@ constexpr const char* examples =
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit *.csv --radius "0.5 um" --nu 0.165 --baseline 0 --contact fit --out fits
-  validate fit curve.csv --radius "0.5 um" --tip-radius "16.5 nm" --potential lcbop
+  validate fit curve.csv --radius "0.5 um" --tip disc --tip-radius "16.5 nm" --potential lcbop
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
 
