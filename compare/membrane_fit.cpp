@@ -72,7 +72,8 @@ class ForceRatio {
   /// Contact spreads from level to level, and may ask for other steps than the first ones tried.
   Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
                const AnyCurveModel& shallow) {
-    const std::vector<int> counts = tip.sphere ? std::vector{32, 48, 67} : std::vector{16, 48};
+    std::vector<int> counts = tip.sphere ? std::vector{32, 48, 67} : std::vector{16, 48};
+    if (tip.physics) counts.resize(1);  // a sheet that softens ends where it breaks, whatever the steps
     const double parameters[] = {Eh, pretension};
     std::vector<double> at, ratio;
     for (const int count : counts) {
@@ -186,6 +187,8 @@ MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>
       fit = least_squares(scaled(shallow, ratio), depth, force, parameters, options);
       if (!fit.converged) break;
       result.reason = ratio.ended_early();
+      constexpr int first_guesses = 4;  // a wrong E·h may end early; the right one not
+      if (!result.reason.empty() && result.iterations >= first_guesses) break;
       const double largest = std::max(std::abs(fit.parameters[1]), 1e-3 * fit.standard_errors[1]);
       if (std::abs(fit.parameters[0] - parameters[0]) > same * fit.parameters[0]) continue;
       if (std::abs(fit.parameters[1] - parameters[1]) > same * largest + 1e-9 * fit.parameters[0]) continue;

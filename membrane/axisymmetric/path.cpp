@@ -12,7 +12,8 @@
 namespace membrane::axisymmetric {
 namespace {
 
-constexpr int most_cuts = 12;  // failed attempts on the way to one level
+constexpr int most_cuts = 12;                // failed attempts on the way to one level …
+constexpr int most_factorisations = 30000;   // … and work on it: most take a hundred, hard first levels thousands
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
 /// A stiffness of the contact on the way to a rigid one: of the rings, over E·h, or of a foundation, over E·h and the
@@ -69,7 +70,11 @@ class Path {
   Attempt reach(double value, Try attempt, Here here) {
     Attempt at = attempt(value);
     std::vector<double> between;  // the next one last
-    for (int cuts = 0; !at.equilibrium.converged && cuts < most_cuts;) {
+    const int begun = newton_.factorisations();
+    const auto goes_on = [&](int cuts) {
+      return cuts < most_cuts && newton_.factorisations() - begun < most_factorisations;
+    };
+    for (int cuts = 0; !at.equilibrium.converged && goes_on(cuts);) {
       const double target = between.empty() ? value : between.back();
       between.push_back(predictor_.last() ? 0.5 * (here() + target) : target / 8);
       ++cuts;
