@@ -73,7 +73,7 @@ class ForceRatio {
   Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
                const AnyCurveModel& shallow) {
     std::vector<int> counts = tip.sphere ? std::vector{32, 48, 67} : std::vector{16, 48};
-    if (tip.physics) counts.resize(1);  // a sheet that softens ends where it breaks, whatever the steps
+    if (tip.physics && tip.sphere) counts.resize(1);  // a sheet that softens ends where it breaks, whatever the steps
     const double parameters[] = {Eh, pretension};
     std::vector<double> at, ratio;
     for (const int count : counts) {
