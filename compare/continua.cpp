@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "compare/calibration/states.hpp"
 #include "compare/calibration/variants.hpp"
 #include "compare/curves.hpp"
 #include "compare/explanation.hpp"
@@ -27,13 +28,16 @@ const Run* atoms_of(const Result& result, const std::string& load) {
   return found == result.runs.end() ? nullptr : &*found;
 }
 
-/// At a few depths, which is enough for something so small and smooth. Dead loads only.
+/// At a few depths as far as the law holds, which is enough for something so small and smooth. Dead loads only.
 Anisotropy anisotropy_of(const SheetExperiment& sheet, const CalibratedLaw& law) {
   constexpr int parts = 3;
   const auto* disc = std::get_if<axi::DiscLoad>(&sheet.problem.load);
   if (!disc || sheet.run.conjugate_depth_A.empty() || law.sixfold.terms.empty()) return {};
   Anisotropy found;
-  const double deepest = *std::ranges::max_element(sheet.run.conjugate_depth_A);
+  double deepest = 0;
+  for (std::size_t i = 0; i < sheet.run.conjugate_depth_A.size(); ++i)
+    if (sheet.run.longest_bond_A[i] <= longest_calibrated_bond_A) deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
+  if (!(deepest > 0)) return {};
   for (int i = 1; i <= parts; ++i) found.conjugate_depth_A.push_back(deepest * i / parts);
   found.ratio = anisotropy_ratios(law, sheet.problem.radius_A, disc->radius_A, found.conjugate_depth_A);
   found.conjugate_depth_A.resize(found.ratio.size());
