@@ -18,6 +18,10 @@ constexpr std::array<Gauss, 4> gauss{{{0.06943184420297371, 0.17392742256872693}
                                       {0.66999052179242813, 0.32607257743127307},
                                       {0.93056815579702629, 0.17392742256872693}}};
 
+constexpr double watched_share = 2;  // of the sphere's radius: no sheet is drawn in so far
+constexpr double boundary_share = 0.99;    // of a gap or pressure that a step may take
+constexpr double farthest_pressure = 1e4;  // from what the barrier has across the gap
+
 std::vector<QuadraturePoint> quadrature(const std::vector<double>& nodes) {
   std::vector<QuadraturePoint> points;
   for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
@@ -30,13 +34,14 @@ std::vector<QuadraturePoint> quadrature(const std::vector<double>& nodes) {
   return points;
 }
 
-/// Every node but the last, and every middle, with the area half way to the next ones.
-std::vector<QuadraturePoint> watched(const std::vector<double>& nodes) {
+/// Every node but the last, and every middle, up to a radius, with the area half way to the next ones.
+std::vector<QuadraturePoint> watched(const std::vector<double>& nodes, double farthest) {
   std::vector<QuadraturePoint> points;
   for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
     for (double t : {0.0, 0.5}) {
       const double length = nodes[e + 1] - nodes[e];
       const double radius = nodes[e] + t * length;
+      if (radius > farthest) return points;
       const double inner = t > 0 ? nodes[e] + 0.25 * length : e > 0 ? nodes[e] - 0.25 * (nodes[e] - nodes[e - 1]) : 0;
       const double outer = radius + 0.25 * length;
       const double area = std::numbers::pi * (outer * outer - inner * inner);
@@ -54,7 +59,7 @@ Assembly::Assembly(std::vector<double> nodes, std::vector<int> held, std::vector
       terms_(std::move(terms)),
       contact_(contact),
       points_(quadrature(nodes_)) {
-  if (contact_) contact_points_ = watched(nodes_);
+  if (contact_) contact_points_ = watched(nodes_, watched_share * contact_->radius_A);
 }
 
 void Assembly::release_held(Eigen::VectorXd& vector) const {
@@ -106,9 +111,42 @@ void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
       sum += std::visit([&](const auto& term) { return term(point.ring, y).hessian; }, any);
     add(point, sum, K);
   }
-  for (const QuadraturePoint& point : contact_points_)
-    add(point, (*contact_)(point.ring, state(point, x)).hessian, K);
+  for (std::size_t i = 0; i < contact_points_.size(); ++i) {
+    const QuadraturePoint& point = contact_points_[i];
+    add(point, (*contact_)(point.ring, state(point, x), pressures_[i]).hessian, K);
+  }
   for (int dof : held_) K.hold(dof);
+}
+
+void Assembly::press(const Eigen::VectorXd& x) {
+  pressures_.clear();
+  for (const QuadraturePoint& point : contact_points_)
+    pressures_.push_back(contact_->barrier_eV_per_A2 / contact_->gap(point.ring, state(point, x)));
+}
+
+double Assembly::longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const {
+  double share = 1;
+  for (const QuadraturePoint& point : contact_points_) {
+    const LocalState y = state(point, x);
+    const double gap = contact_->gap(point.ring, y);
+    const double change = contact_->normal(point.ring, y).dot(state(point, step));
+    if (share * change < -boundary_share * gap) share = -boundary_share * gap / change;
+  }
+  return share;
+}
+
+void Assembly::press(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+  for (std::size_t i = 0; i < contact_points_.size(); ++i) {
+    const QuadraturePoint& point = contact_points_[i];
+    const LocalState y = state(point, x);
+    const double gap = contact_->gap(point.ring, y);
+    const double change = contact_->normal(point.ring, y).dot(state(point, step));
+    const double barrier = contact_->barrier_eV_per_A2;
+    const double next = barrier / gap - pressures_[i] * change / gap;
+    const double from_barrier = barrier / contact_->gap(point.ring, state(point, x + step));
+    pressures_[i] = std::clamp(std::max(next, (1 - boundary_share) * pressures_[i]), from_barrier / farthest_pressure,
+                               from_barrier * farthest_pressure);
+  }
 }
 
 LocalState Assembly::state_at(double radius, const Eigen::VectorXd& x) const {

@@ -35,14 +35,17 @@ class Assembly {
   /// Gradient without its zeros: at held degrees of freedom the reaction.
   const Eigen::VectorXd& full_gradient() const { return full_gradient_; }
 
-  /// Σ f(Ring, LocalState) over the rings of the terms, or of the contact.
+  /// Σ f(Ring, LocalState) over the rings of the terms.
   template <class F>
   double sum(const Eigen::VectorXd& x, F f) const {
-    return sum(points_, x, f);
+    double total = 0;
+    for (const QuadraturePoint& point : points_) total += f(point.ring, state(point, x));
+    return total;
   }
+  /// f(Ring, LocalState) at every place where contact is watched.
   template <class F>
-  double contact_sum(const Eigen::VectorXd& x, F f) const {
-    return sum(contact_points_, x, f);
+  void over_contact(const Eigen::VectorXd& x, F f) const {
+    for (const QuadraturePoint& point : contact_points_) f(point.ring, state(point, x));
   }
   /// Local state at any radius.
   LocalState state_at(double radius, const Eigen::VectorXd& x) const;
@@ -70,19 +73,21 @@ class Assembly {
   const std::vector<double>& nodes() const { return nodes_; }
   std::vector<EnergyTerm>& terms() { return terms_; }
   const std::vector<EnergyTerm>& terms() const { return terms_; }
+
   std::optional<SphereContact>& contact() { return contact_; }
+  const std::optional<SphereContact>& contact() const { return contact_; }
+  /// Gives every watched ring the pressure that the barrier has across its gap.
+  void press(const Eigen::VectorXd& x);
+  /// The largest share of a step, at most 1, that leaves each gap some of what it is.
+  double longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const;
+  /// Takes the pressures along with a step from x, as Newton's method on gap × pressure = µ does.
+  void press(const Eigen::VectorXd& x, const Eigen::VectorXd& step);
 
  private:
   using ElementMatrix = Eigen::Matrix<double, 2 * dofs_per_node, 2 * dofs_per_node>;
 
   LocalState state(const QuadraturePoint& point, const Eigen::VectorXd& x) const {
     return point.B * x.segment<2 * dofs_per_node>(dofs_per_node * point.element);
-  }
-  template <class F>
-  double sum(const std::vector<QuadraturePoint>& points, const Eigen::VectorXd& x, F f) const {
-    double total = 0;
-    for (const QuadraturePoint& point : points) total += f(point.ring, state(point, x));
-    return total;
   }
   static void add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density,
                   BlockTridiagonal& K);
@@ -92,6 +97,7 @@ class Assembly {
   std::vector<EnergyTerm> terms_;
   std::optional<SphereContact> contact_;
   std::vector<QuadraturePoint> points_, contact_points_;
+  std::vector<double> pressures_;  ///< of the contact's rings, eV/Å³
   std::vector<double> parts_;
   Eigen::VectorXd full_gradient_;
 };

@@ -8,10 +8,8 @@
 namespace membrane::axisymmetric {
 namespace {
 
-constexpr double aim = 1e-11;
 constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
 constexpr int most_searches = 200;
-constexpr int most_whole_steps = 40;
 constexpr double energy_noise = 1e-13;  // of the sum of the terms
 constexpr double first_shift = 1e-10;   // of the diagonal
 constexpr double shift_growth = 30;
@@ -37,31 +35,26 @@ bool Newton::move(Eigen::VectorXd& x) {
   double scale = 0;
   for (double part : assembly_.parts()) scale += std::abs(part);
   const double noise = energy_noise * scale;
+  step_ *= assembly_.longest(x, step_);
   double trial_energy = 0;
-  const double length = line_search(residual_.dot(step_), [&](double length) {
-    trial_ = x + length * step_;
+  const double length = line_search(residual_.dot(step_), [&](double share) {
+    trial_ = x + share * step_;
     trial_energy = assembly_.energy(trial_, trial_gradient_);
     return Trial{
         .change = trial_energy - energy_, .noise = noise, .slope = trial_gradient_.dot(step_) - noise};
   });
   if (length == 0) return false;
+  assembly_.press(x, length * step_);
   x.swap(trial_);
   gradient_.swap(trial_gradient_);
   energy_ = trial_energy;
   return true;
 }
 
-Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
-  return solve(pattern, x, most_searches, true);
-}
-
-Equilibrium Newton::solve_by_whole_steps(Eigen::VectorXd& x) { return solve({}, x, most_whole_steps, false); }
-
-Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, int most_iterations,
-                          bool search) {
+Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, double aim) {
   Equilibrium at;
   energy_ = assembly_.energy(x, gradient_);
-  for (; at.iterations <= most_iterations; ++at.iterations) {
+  for (; at.iterations <= most_searches; ++at.iterations) {
     if (!std::isfinite(energy_) || !factorise(x)) {
       at.reason = "energy or stiffness are not finite";
       return at;
@@ -81,15 +74,12 @@ Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, in
     const bool stalls = at.iterations > 0 && at.relative_residual > 0.3 * before;
     at.converged = at.relative_residual <= aim || (stalls && at.relative_residual <= tolerance);
     if (at.converged) return at;
-    if (!search) {
-      x += step_;
-      energy_ = assembly_.energy(x, gradient_);
-    } else if (!move(x)) {
+    if (!move(x)) {
       at.reason = "the line search found no lower energy";
       return at;
     }
   }
-  at.reason = "no equilibrium within " + std::to_string(most_iterations) + " iterations";
+  at.reason = "no equilibrium within " + std::to_string(most_searches) + " iterations";
   return at;
 }
 

@@ -21,19 +21,14 @@ class Newton {
  public:
   explicit Newton(Assembly& assembly);
 
-  /// Minimises the energy over x, in place. With a pattern its depth pattern·x stays what it is, and the
-  /// force is the multiplier; an empty pattern leaves x free.
-  Equilibrium solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x);
-
-  /// The same with whole steps, for contact: a line search would stop at every ring that a step takes into a
-  /// stiff sphere, while the next step takes it out again (an active set method). Needs a start that is near.
-  Equilibrium solve_by_whole_steps(Eigen::VectorXd& x);
+  /// Minimises the energy over x, in place, to this relative residual. With a pattern its depth pattern·x stays what it is,
+  /// and the force is the multiplier; an empty pattern leaves x free.
+  Equilibrium solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, double aim = 1e-11);
 
   int factorisations() const { return factorisations_; }
 
  private:
   bool factorise(const Eigen::VectorXd& x);
-  Equilibrium solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, int most_iterations, bool search);
   bool move(Eigen::VectorXd& x);
 
   Assembly& assembly_;

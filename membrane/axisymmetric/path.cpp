@@ -1,5 +1,7 @@
 // Follows the levels of a round sheet: solve() of sheet.hpp.
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -16,16 +18,9 @@ constexpr int most_cuts = 12;                // failed attempts on the way to on
 constexpr int most_factorisations = 30000;   // … and work on it: most take a hundred, hard first levels thousands
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
-/// A stiffness of the contact on the way to a rigid one: of the rings, over E·h, or of a foundation, over E·h and the
-/// inverse square of the sphere's radius.
-struct Stride {
-  double rings = 0, foundation = 0;
-};
-/// Ways there, tried one after the other. A foundation pulls no ring like a point, which a law that softens could not
-/// bear; rings alone reach smaller spheres. With the last stiffness a sphere is entered by some 1e-7 of its radius at most.
-const std::vector<Stride> ways_to_contact[] = {{{0, 40}, {1e2, 0}, {1e5, 0}},
-                                               {{1, 0}, {1e2, 0}, {1e5, 0}},
-                                               {{0, 40}, {0, 1e3}, {1e2, 0}, {1e3, 0}, {1e4, 0}, {1e5, 0}}};
+constexpr double first_barrier = 1e-2;   // of the energy, over the sphere's area …
+constexpr double last_slack = 1e-8;      // … until the gap that bears the force is this share of the depth
+constexpr double barrier_decay = 0.1, barrier_power = 1.5;
 
 class Path {
  public:
@@ -134,40 +129,58 @@ class Path {
     return at;
   }
 
-  /// The sphere at a depth.
+  /// The sphere at a depth: an interior point method.
   void press(Attempt& at) {
-    const Eigen::VectorXd start = at.known.x;
-    for (const std::vector<Stride>& way : ways_to_contact) {
-      at.known.x = start;
-      press(at, way);
-      if (at.equilibrium.converged) return;
-    }
-  }
-
-  void press(Attempt& at, const std::vector<Stride>& way) {
     SphereContact& contact = *assembly_.contact();
     contact.depth_A = at.known.depth_A;
-    const double modulus = sheet_modulus(problem_);
-    for (const Stride& stride : way) {
-      contact.stiffness_eV_per_A2 = stride.rings * modulus;
-      contact.foundation_eV_per_A4 = stride.foundation * modulus / (contact.radius_A * contact.radius_A);
-      if (stride.foundation > 0 || &stride == &way.front() || !find_by_whole_steps(at)) find({}, at);
+    clear_sphere(at.known.x);
+    const double area = std::numbers::pi * contact.radius_A * contact.radius_A;
+    Eigen::VectorXd gradient;
+    contact.barrier_eV_per_A2 = 0;
+    double share = first_barrier;
+    contact.barrier_eV_per_A2 = share * assembly_.energy(at.known.x, gradient) / area;
+    const double unit = contact.barrier_eV_per_A2 / share;
+    assembly_.press(at.known.x);
+    for (;;) {
+      find({}, at);
       if (!at.equilibrium.converged) return;
+      const Bearing bearing = bearing_of(at.known.x);
+      at.known.force_eV_per_A = bearing.force_eV_per_A;
+      if (bearing.gap_A <= last_slack * contact.depth_A) return;
+      share *= std::min(barrier_decay, std::sqrt(share));
+      contact.barrier_eV_per_A2 = share * unit;
     }
-    at.known.force_eV_per_A = assembly_.contact_sum(
-        at.known.x, [&](const Ring& ring, const LocalState& y) { return contact.force(ring, y); });
   }
 
-  /// From a start that is near; else at is left as it was.
-  bool find_by_whole_steps(Attempt& at) {
-    Eigen::VectorXd x = at.known.x;
-    const Equilibrium found = newton_.solve_by_whole_steps(x);
-    iterations_ += found.iterations;
-    if (found.converged) {
-      at.equilibrium = found;
-      at.known.x = std::move(x);
-    }
-    return found.converged;
+  /// What the sphere bears, and across which gap: the mean over the rings by the square of their forces.
+  struct Bearing {
+    double force_eV_per_A = 0, gap_A = 0;
+  };
+  Bearing bearing_of(const Eigen::VectorXd& x) const {
+    const SphereContact& contact = *assembly_.contact();
+    double vertical = 0, squares = 0, weighted = 0;
+    assembly_.over_contact(x, [&](const Ring& ring, const LocalState& y) {
+      const double gap = contact.gap(ring, y);
+      const double force = ring.area_A2 * contact.barrier_eV_per_A2 / gap;
+      vertical += force * contact.normal(ring, y)[W];
+      squares += force * force;
+      weighted += force * force * gap;
+    });
+    return {vertical, weighted / squares};
+  }
+
+  /// Deepens a shape until it is clear of the sphere.
+  void clear_sphere(Eigen::VectorXd& x) const {
+    const SphereContact& contact = *assembly_.contact();
+    double farther = 1e-3 * std::min(contact.depth_A, contact.radius_A);
+    const auto least_gap = [&](const Eigen::VectorXd& shape) {
+      double least = std::numeric_limits<double>::infinity();
+      assembly_.over_contact(
+          shape, [&](const Ring& ring, const LocalState& y) { least = std::min(least, contact.gap(ring, y)); });
+      return least;
+    };
+    const Eigen::VectorXd from = x;
+    for (; !(least_gap(x) > 0); farther *= 2) x = from + farther * predictor_.unit();
   }
 
   void find(const Eigen::VectorXd& pattern, Attempt& at) {

@@ -21,6 +21,7 @@ class Predictor {
   Predictor(Eigen::VectorXd unit, bool starts_flat) : unit_(std::move(unit)), starts_flat_(starts_flat) {}
 
   void add(Known known);
+  const Eigen::VectorXd& unit() const { return unit_; }
   const std::optional<Known>& last() const { return last_; }
 
   Eigen::VectorXd at(double depth_A) const;

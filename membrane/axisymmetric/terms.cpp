@@ -1,6 +1,8 @@
 #include "membrane/axisymmetric/terms.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "membrane/laws/tension_field.hpp"
 
@@ -95,33 +97,40 @@ Density Pressure::operator()(const Ring& ring, const LocalState& y) const {
   return density;
 }
 
-/// (|x|² − radius²)/(|x| + radius) in x − centre = (r, above + radius): nothing cancels near the tip.
+/// Below the centre (|x|² − radius²)/(|x| + radius) in x − centre = (r, above + radius): nothing cancels near the tip.
 double SphereContact::gap(const Ring& ring, const LocalState& y) const {
   const double r = ring.radius_A + y[U];
   const double above = y[W] - depth_A;
+  if (above < -radius_A) return r - radius_A;
   return (r * r + above * (above + 2 * radius_A)) / (std::hypot(r, above + radius_A) + radius_A);
 }
 
-double SphereContact::force(const Ring& ring, const LocalState& y) const {
-  const double g = gap(ring, y);
-  return g < 0 ? -stiffness(ring) * g * (y[W] - depth_A + radius_A) / (g + radius_A) : 0;
+LocalState SphereContact::normal(const Ring& ring, const LocalState& y) const {
+  const double r = ring.radius_A + y[U];
+  const double below_centre = std::max(0.0, y[W] - depth_A + radius_A);
+  LocalState n = LocalState::Zero();
+  n[U] = r / std::hypot(r, below_centre);
+  n[W] = below_centre / std::hypot(r, below_centre);
+  return n;
 }
 
 Density SphereContact::operator()(const Ring& ring, const LocalState& y) const {
-  Density density;
+  return (*this)(ring, y, barrier_eV_per_A2 / gap(ring, y));
+}
+
+Density SphereContact::operator()(const Ring& ring, const LocalState& y, double pressure) const {
   const double g = gap(ring, y);
-  if (g >= 0) return density;
-  const double k = stiffness(ring) / ring.area_A2;
+  Density density;
+  density.value = std::numeric_limits<double>::infinity();
+  if (!(g > 0)) return density;
+  const LocalState n = normal(ring, y);
+  const LocalState across = (LocalState() << n[W], 0, 0, -n[U], 0, 0).finished();
   const double distance = g + radius_A;
-  const Eigen::Vector2d n = Eigen::Vector2d(ring.radius_A + y[U], y[W] - depth_A + radius_A) / distance;
-  const Eigen::Matrix2d across = (Eigen::Matrix2d::Identity() - n * n.transpose()) / distance;
-  const Eigen::Matrix2d K = k * (n * n.transpose() + g * across);
-  constexpr int place[] = {U, W};
-  density.value = 0.5 * k * g * g;
-  for (int i = 0; i < 2; ++i) {
-    density.gradient[place[i]] = k * g * n[i];
-    for (int j = 0; j < 2; ++j) density.hessian(place[i], place[j]) = K(i, j);
-  }
+  const bool beside_cylinder = n[W] == 0;
+  density.value = -barrier_eV_per_A2 * std::log(g / radius_A);
+  density.gradient = -barrier_eV_per_A2 / g * n;
+  density.hessian = pressure / g * n * n.transpose();
+  if (!beside_cylinder) density.hessian -= pressure / distance * across * across.transpose();
   return density;
 }
 

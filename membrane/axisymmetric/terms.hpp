@@ -52,23 +52,22 @@ struct Pressure {
   Density operator()(const Ring& ring, const LocalState& y) const;
 };
 
-/// A rigid frictionless sphere: ½ k g² per ring where the gap g = |x − centre| − radius is negative. The
-/// stiffness is a ring's: however small the spot that bears the load, it enters the sphere by no more than force/k. To
-/// find the contact there is a foundation's, per area: however wide the sphere is entered, no ring is pulled like a point,
-/// which a law that softens could not bear.
+/// A rigid frictionless tip: a sphere, and above its centre a cylinder of the same radius, so that no step can take a sheet
+/// to its other side. What keeps the sheet out is a barrier −µ ln(gap/radius), that is a pressure µ/gap: the smaller µ, the
+/// closer both come to contact, where one of the two is zero.
 struct SphereContact {
   double radius_A = 0;
-  double depth_A = 0;               ///< of its lowest point
-  double stiffness_eV_per_A2 = 0;   ///< k
-  double foundation_eV_per_A4 = 0;  ///< the same per reference area
+  double depth_A = 0;             ///< of its lowest point
+  double barrier_eV_per_A2 = 0;  ///< µ
 
-  Density operator()(const Ring& ring, const LocalState& y) const;
-  /// Negative inside the sphere, Å.
+  /// Positive outside, Å.
   double gap(const Ring& ring, const LocalState& y) const;
-  /// Vertical force on a ring, eV/Å.
-  double force(const Ring& ring, const LocalState& y) const;
-  /// Of a ring, eV/Å².
-  double stiffness(const Ring& ring) const { return stiffness_eV_per_A2 + foundation_eV_per_A4 * ring.area_A2; }
+  /// Of the gap by y.
+  LocalState normal(const Ring& ring, const LocalState& y) const;
+  /// The barrier; infinite inside.
+  Density operator()(const Ring& ring, const LocalState& y) const;
+  /// The same, but the Hessian that of a sheet that bears this pressure (eV/Å³) across its gap.
+  Density operator()(const Ring& ring, const LocalState& y, double pressure_eV_per_A3) const;
 };
 
 /// The terms that are spread over the whole sheet.

@@ -19,21 +19,21 @@ double slope(const std::vector<SheetStep>& steps, double SheetStep::*along) {
   return (steps[2].energy_eV - steps[0].energy_eV) / (steps[2].*along - steps[0].*along);
 }
 
-// A law that softens has no lowest energy under a point, and none where its contact is sought with a few rings that pull
-// like one: the sheet must find the sphere as a whole. Strains stay far below the law's end, 0.2 in equal tension.
+// A law that softens has no lowest energy under a point, and under a small sphere only while strains stay below the law's end,
+// here 0.2 in equal tension.
 TEST(AxisymmetricSheet, ALawThatSoftensFindsItsSphere) {
-  for (double tip : {22.0, 55.0})
+  for (double tip : {3.63, 5.5, 22.0, 55.0})
     for (double kappa : {0.0, 1.0}) {
-      SheetProblem problem = membrane_problem(0, SphereLoad{tip}, {2.2, 6.6, 11, 22});
+      SheetProblem problem = membrane_problem(0, SphereLoad{tip}, {2.2, 6.6, 11, 15.4, 19.8, 22});
       problem.law = LeeGraphene{21.35, 0.165};
       problem.relaxed = kappa == 0;
       problem.bending_modulus_eV = kappa;
       const auto steps = run(problem);
-      ASSERT_EQ(steps.size(), 4u);
+      ASSERT_EQ(steps.size(), 6u);
       for (const SheetStep& step : steps) {
         EXPECT_TRUE(step.converged) << tip << ' ' << kappa;
         EXPECT_NEAR(step.rim_reaction_eV_per_A / step.force_eV_per_A, 1, 1e-6);
-        EXPECT_LT(step.points.front().radial_strain, 0.1);
+        EXPECT_LT(step.points.front().radial_strain, 0.16);
       }
     }
 }
