@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -91,6 +92,15 @@ double Assembly::energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
   full_gradient_ = gradient;
   release_held(gradient);
   return std::accumulate(parts_.begin(), parts_.end(), 0.0);
+}
+
+double Assembly::magnitude() const {
+  double sum = 0;
+  for (double part : parts_) sum += std::abs(part);
+  for (const EnergyTerm& term : terms_)  // the energy of the flat sheet is taken off
+    if (const auto* stretching = std::get_if<Stretching>(&term))
+      sum += std::abs(stretching->flat_energy) * std::numbers::pi * nodes_.back() * nodes_.back();
+  return sum;
 }
 
 void Assembly::add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density,

@@ -32,6 +32,8 @@ class Assembly {
 
   /// Of each term at the last energy(), contact last, eV.
   const std::vector<double>& parts() const { return parts_; }
+  /// Of what the energy is the sum and difference of: eV. Its rounding is a share of that.
+  double magnitude() const;
   /// Gradient without its zeros: at held degrees of freedom the reaction.
   const Eigen::VectorXd& full_gradient() const { return full_gradient_; }
 

@@ -9,8 +9,9 @@ namespace membrane::axisymmetric {
 namespace {
 
 constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
+constexpr int most_stalls = 2;
 constexpr int most_searches = 200;
-constexpr double energy_noise = 1e-13;  // of the sum of the terms
+constexpr double energy_noise = 1e-13;  // of what the energy is the sum of
 constexpr double first_shift = 1e-10;   // of the diagonal
 constexpr double shift_growth = 30;
 
@@ -32,9 +33,7 @@ bool Newton::factorise(const Eigen::VectorXd& x) {
 
 /// Moves x, energy_ and gradient_ along step_ as far as the energy falls enough.
 bool Newton::move(Eigen::VectorXd& x) {
-  double scale = 0;
-  for (double part : assembly_.parts()) scale += std::abs(part);
-  const double noise = energy_noise * scale;
+  const double noise = energy_noise * assembly_.magnitude();
   step_ *= assembly_.longest(x, step_);
   double trial_energy = 0;
   const double length = line_search(residual_.dot(step_), [&](double share) {
@@ -53,6 +52,7 @@ bool Newton::move(Eigen::VectorXd& x) {
 
 Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, double aim) {
   Equilibrium at;
+  int stalls = 0;
   energy_ = assembly_.energy(x, gradient_);
   for (; at.iterations <= most_searches; ++at.iterations) {
     if (!std::isfinite(energy_) || !factorise(x)) {
@@ -71,8 +71,8 @@ Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, do
     const double decrement = -residual_.dot(step_);
     const double before = at.relative_residual;
     at.relative_residual = decrement > 0 ? std::sqrt(decrement / scale) : 0;
-    const bool stalls = at.iterations > 0 && at.relative_residual > 0.3 * before;
-    at.converged = at.relative_residual <= aim || (stalls && at.relative_residual <= tolerance);
+    stalls = at.iterations > 0 && at.relative_residual > 0.3 * before ? stalls + 1 : 0;
+    at.converged = at.relative_residual <= aim || (stalls >= most_stalls && at.relative_residual <= tolerance);
     if (at.converged) return at;
     if (!move(x)) {
       at.reason = "the line search found no lower energy";

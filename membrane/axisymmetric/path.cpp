@@ -18,8 +18,8 @@ constexpr int most_cuts = 12;                // failed attempts on the way to on
 constexpr int most_factorisations = 30000;   // … and work on it: most take a hundred, hard first levels thousands
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
-constexpr double first_barrier = 1e-2;   // of the energy, over the sphere's area …
-constexpr double last_slack = 1e-8;      // … until the gap that bears the force is this share of the depth
+constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
+constexpr double last_slack = 1e-7;      // … until the gap that bears the force is this share of the depth
 constexpr double barrier_decay = 0.1, barrier_power = 1.5;
 
 class Path {
