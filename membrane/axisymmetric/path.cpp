@@ -20,7 +20,8 @@ constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
 constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
 constexpr double last_slack = 1e-7;      // … until the gap that bears the force is this share of the depth
-constexpr double barrier_decay = 0.1, barrier_power = 1.5;
+constexpr double close_enough = 0.8;      // to that
+constexpr double barrier_decay = 0.1;     // at each stride; later strides are longer
 
 class Path {
  public:
@@ -146,8 +147,9 @@ class Path {
       if (!at.equilibrium.converged) return;
       const Bearing bearing = bearing_of(at.known.x);
       at.known.force_eV_per_A = bearing.force_eV_per_A;
-      if (bearing.gap_A <= last_slack * contact.depth_A) return;
-      share *= std::min(barrier_decay, std::sqrt(share));
+      const double farther = last_slack * contact.depth_A / bearing.gap_A;  // the gap is proportional to the barrier
+      if (farther > close_enough) return;
+      share *= std::max(farther, std::min(barrier_decay, std::sqrt(share)));
       contact.barrier_eV_per_A2 = share * unit;
     }
   }
