@@ -10,7 +10,7 @@ constexpr double growth = 0.3;
 constexpr double largest_share = 1.0 / 40;  // of the radius
 constexpr double under_load = 1.0 / 10;     // of the load's radius
 constexpr double under_sphere = 1.0 / 60;   // of the sphere's radius: contact ends somewhere inside
-constexpr double first_contact = 1.0 / 8;  // of that, at the tip, where contact begins
+constexpr double first_contact = 1.0 / 8;  // of that, at the tip, where contact begins if nothing spreads it
 constexpr double layer_share = 3;  // of √(κ/E·h), the length of the thinnest boundary layer there can be
 constexpr double point_membrane = 1e-10;  // of the radius: w ~ r^(2/3), no length of its own
 constexpr double point_plate = 1e-4;      // of the radius: w ~ r² ln r
@@ -38,7 +38,7 @@ struct Demand {
   void operator()(const SphereLoad& sphere) {
     const double size = under_sphere * sphere.radius_A;
     foci.push_back({0, std::min(sphere.radius_A, radius), size});
-    foci.push_back({0, 0, first_contact * size});
+    if (layer == 0) foci.push_back({0, 0, first_contact * size});
   }
   void operator()(const PressureLoad&) {}
 };

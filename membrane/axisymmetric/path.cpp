@@ -19,8 +19,8 @@ constexpr int most_factorisations = 30000;   // … and work on it: most take a 
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
 constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
-constexpr double last_slack = 1e-7;      // … until the gap that bears the force is this share of the depth
-constexpr double close_enough = 0.8;      // to that
+constexpr double last_slack = 1e-8;      // … until the gap that bears the force is this share of the depth
+constexpr double close_enough = 0.98;     // to that
 constexpr double barrier_decay = 0.1;     // at each stride; later strides are longer
 
 class Path {
