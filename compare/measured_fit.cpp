@@ -64,8 +64,10 @@ void fit_the_membrane(MeasuredResult& result, const MeasuredOptions& options, co
     return;
   }
   result.fit.direct = report.fit;
-  for (std::size_t i = 0; i < depth.size(); ++i)
-    result.direct_force_eV_per_A.push_back(force[i] - report.residual_eV_per_A[i]);
+  result.torn_at_A = report.torn_at_A;
+  for (const double d : report.depth_A) result.direct_depth_A.push_back(d + shift);
+  result.direct_force_eV_per_A = report.force_eV_per_A;
+  if (report.torn_at_A) return;  // what the closed form reads from it is not known over the whole window
   CurveFitOptions plain = options.fit;
   plain.bootstrap_samples = 0;
   plain.depth_offset = plain.force_offset = false;

@@ -36,7 +36,8 @@ struct MeasuredResult {
   Fit fit;
   WindowScan scan;
   std::string direct_skipped;  ///< why not
-  std::vector<double> direct_force_eV_per_A;
+  std::vector<double> direct_depth_A, direct_force_eV_per_A;  ///< of the membrane itself, depths as in depth_A
+  std::optional<double> torn_at_A;  ///< the sheet that was fitted ends here, and the fit of it with it
 };
 
 /// Throws Error (bad input) where too few points are left, and where the fit does not work, with the reason.

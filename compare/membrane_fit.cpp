@@ -18,10 +18,12 @@ namespace {
 
 namespace sheet = membrane::axisymmetric;
 
+constexpr double enclosing = 1.02;
+
 /// Controlled depths, in equal ratios, whose depths of record enclose the given ones: the conjugate depth is
 /// the smaller of the two, by half of it at most.
 std::vector<double> levels_around(const std::vector<double>& depth, int count) {
-  const double low = 0.5 * std::ranges::min(depth), high = 1.02 * std::ranges::max(depth);
+  const double low = 0.5 * std::ranges::min(depth), high = enclosing * std::ranges::max(depth);
   std::vector<double> levels;
   for (int i = 0; i < count; ++i) levels.push_back(low * std::pow(high / low, i / (count - 1.0)));
   return levels;
@@ -52,6 +54,9 @@ AnyCurveModel shallow_model(const MembraneTip& tip) {
   return closed_form(sphere ? "sphere-pretension" : "foeppl", "").make({tip.a_A, tip.nu, tip.tip_A, 0});
 }
 
+/// Enough for a smooth ratio, and to see where a sheet that softens tears.
+int levels_for(const MembraneTip& tip) { return tip.physics ? 64 : tip.sphere ? 32 : 16; }
+
 /// Force of the membrane over force of the shallow one, interpolated in the depth: close to 1 and smooth.
 class ForceRatio {
  public:
@@ -62,6 +67,8 @@ class ForceRatio {
   /// Why the membrane's path ended before the deepest point; empty: it did not. Beyond it the ratio stays as
   /// it is, which is good enough for a first guess of E·h and pretension, not for the last.
   const std::string& ended_early() const { return ended_early_; }
+  /// Where the path ended, Å.
+  double deepest() const { return curve_.highest_A(); }
 
   double at(double depth) const {
     const auto ratio = curve_.at(std::clamp(depth, curve_.lowest_A(), curve_.highest_A()));
@@ -69,29 +76,18 @@ class ForceRatio {
   }
 
  private:
-  /// Contact spreads from level to level, and may ask for other steps than the first ones tried.
   Curve ratios(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
                const AnyCurveModel& shallow) {
-    std::vector<int> counts = tip.sphere ? std::vector{32, 48, 67} : std::vector{16, 48};
-    if (tip.physics && tip.sphere) counts.resize(1);  // a sheet that softens ends where it breaks, whatever the steps
     const double parameters[] = {Eh, pretension};
     std::vector<double> at, ratio;
-    for (const int count : counts) {
-      std::vector<double> reached, found;
-      const sheet::SheetReport report =
-          sheet::solve(problem_of(tip, Eh, pretension, depth, count), [&](const sheet::SheetStep& step) {
-            if (!step.converged) return false;
-            reached.push_back(step.depth_A);
-            found.push_back(step.force_eV_per_A / shallow.value(step.depth_A, parameters));
-            return true;
-          });
-      ended_early_ = report.converged ? "" : "the membrane did not converge: " + report.reason;
-      if (reached.size() > 1 && (at.empty() || reached.back() > at.back())) {
-        at = reached;
-        ratio = found;
-      }
-      if (report.converged) break;
-    }
+    const sheet::SheetReport report =
+        sheet::solve(problem_of(tip, Eh, pretension, depth, levels_for(tip)), [&](const sheet::SheetStep& step) {
+          if (!step.converged) return false;
+          at.push_back(step.depth_A);
+          ratio.push_back(step.force_eV_per_A / shallow.value(step.depth_A, parameters));
+          return true;
+        });
+    if (!report.converged) ended_early_ = "the membrane did not converge: " + report.reason;
     if (at.size() < 4) throw std::runtime_error(ended_early_);
     return Curve(at, ratio);
   }
@@ -167,31 +163,67 @@ SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double 
   return curve;
 }
 
+namespace {
+
+/// What is fitted: a curve's points, and their weights if they have any.
+struct Points {
+  std::vector<double> depth, force, weights;
+
+  void keep_up_to(double deepest) {
+    Points kept;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+      if (depth[i] > deepest) continue;
+      kept.depth.push_back(depth[i]);
+      kept.force.push_back(force[i]);
+      if (!weights.empty()) kept.weights.push_back(weights[i]);
+    }
+    *this = std::move(kept);
+  }
+};
+
+LeastSquaresReport fitted(const AnyCurveModel& model, const Points& points, const std::vector<double>& start) {
+  LeastSquaresOptions options;
+  options.weights = points.weights;
+  return least_squares(model, points.depth, points.force, start, options);
+}
+
+bool settled(const std::vector<double>& before, const LeastSquaresReport& fit) {
+  constexpr double same = 1e-5;
+  const double largest = std::max(std::abs(fit.parameters[1]), 1e-3 * fit.standard_errors[1]);
+  return std::abs(fit.parameters[0] - before[0]) <= same * fit.parameters[0] &&
+         std::abs(fit.parameters[1] - before[1]) <= same * largest + 1e-9 * fit.parameters[0];
+}
+
+}  // namespace
+
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth,
                                const std::vector<double>& force, const std::vector<double>& sigma) {
   constexpr int most_curves = 20;
-  constexpr double same = 1e-5;
+  constexpr int first_guesses = 4;  // a wrong E·h may end early; the right one not
   MembraneFitReport result;
-  LeastSquaresOptions options;
-  for (const double s : sigma) options.weights.push_back(1 / (s * s));
+  Points points{depth, force, {}};
+  for (const double s : sigma) points.weights.push_back(1 / (s * s));
   try {
     const AnyCurveModel shallow = shallow_model(tip);
     const auto deepest = static_cast<std::size_t>(std::ranges::max_element(depth) - depth.begin());
     std::vector<double> parameters = {1, 0};
     parameters[0] = force[deepest] / shallow.value(depth[deepest], parameters);
-    LeastSquaresReport fit = least_squares(shallow, depth, force, parameters, options);
+    LeastSquaresReport fit = fitted(shallow, points, parameters);
     for (result.iterations = 1; fit.converged && result.iterations <= most_curves; ++result.iterations) {
       parameters = fit.parameters;
       // A sheet with less than no tension everywhere has no flat state to start from.
-      const ForceRatio ratio(tip, parameters[0], std::max(parameters[1], 0.0), depth, shallow);
-      fit = least_squares(scaled(shallow, ratio), depth, force, parameters, options);
+      const ForceRatio ratio(tip, parameters[0], std::max(parameters[1], 0.0), points.depth, shallow);
+      const bool torn = tip.physics && !ratio.ended_early().empty();
+      if (torn) {
+        result.torn_at_A = ratio.deepest();
+        points.keep_up_to(ratio.deepest() / enclosing);
+      }
+      fit = fitted(scaled(shallow, ratio), points, parameters);
       if (!fit.converged) break;
+      if (torn) continue;
       result.reason = ratio.ended_early();
-      constexpr int first_guesses = 4;  // a wrong E·h may end early; the right one not
       if (!result.reason.empty() && result.iterations >= first_guesses) break;
-      const double largest = std::max(std::abs(fit.parameters[1]), 1e-3 * fit.standard_errors[1]);
-      if (std::abs(fit.parameters[0] - parameters[0]) > same * fit.parameters[0]) continue;
-      if (std::abs(fit.parameters[1] - parameters[1]) > same * largest + 1e-9 * fit.parameters[0]) continue;
+      if (!settled(parameters, fit)) continue;
       result.converged = result.reason.empty();
       break;
     }
@@ -201,8 +233,10 @@ MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>
       return result;
     }
     result.fit = {fit.parameters[0], fit.standard_errors[0], fit.parameters[1], fit.standard_errors[1],
-                  rms(fit.residuals) / std::ranges::max(force)};
-    result.residual_eV_per_A = fit.residuals;
+                  rms(fit.residuals) / std::ranges::max(points.force)};
+    result.depth_A = points.depth;
+    for (std::size_t i = 0; i < points.force.size(); ++i)
+      result.force_eV_per_A.push_back(points.force[i] - fit.residuals[i]);
   } catch (const std::exception& problem) {
     result.reason = problem.what();
   }

@@ -38,7 +38,9 @@ struct MembraneFitReport {
   std::string reason;  ///< why not
   int iterations = 0;  ///< curves of the membrane that were solved
   DirectFit fit;
-  std::vector<double> residual_eV_per_A;
+  std::vector<double> depth_A, force_eV_per_A;  ///< of the fitted membrane, at the points that were fitted
+  /// Depth at which a sheet that softens was last found, and beyond which its law lets it tear: deeper points are left out.
+  std::optional<double> torn_at_A;
 };
 
 /// Forces (eV/Å) of a membrane at depths of record (Å). Throws std::runtime_error where the membrane is not solved.
@@ -57,7 +59,7 @@ SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double 
 /// Least squares with the finite-strain membrane (or the tip's sheet), solved in one dimension. A closed form (the shallow membrane, or for a
 /// sphere its limits) gives the derivatives: its curve, times the ratio of the two models at the last E·h and pretension,
 /// is fitted until neither changes by more than 1e-5. The ratio changes little, so few curves are enough. `sigma` (eV/Å)
-/// weights the points; empty: all alike. Not converging is reported, not thrown.
+/// weights the points; empty: all alike. Where the tip's own sheet ends before the curve, it is fitted as far as it goes. Not converging is reported, not thrown.
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth_A,
                                const std::vector<double>& force_eV_per_A,
                                const std::vector<double>& sigma_eV_per_A);

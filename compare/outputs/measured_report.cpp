@@ -27,13 +27,18 @@ std::string interval(const std::array<double, 2>& ends, int digits) {
   return fmt::format("  95 %: {:.{}f} … {:.{}f}", in_N_per_m(ends[0]), digits, in_N_per_m(ends[1]), digits);
 }
 
-void add_corrections(std::string& text, const Fit& fit, const MeasuredOptions& options) {
+void add_corrections(std::string& text, const MeasuredResult& result, const MeasuredOptions& options) {
+  const Fit& fit = result.fit;
   if (!fit.direct) return;
   if (options.physics) text += "  " + options.physics->name + ", fitted itself:\n";
   add_row(text, options.physics ? "sheet itself: E·h" : "membrane itself: E·h", fit.direct->Eh_eV_per_A2,
           fit.direct->Eh_stderr_eV_per_A2, 1);
   add_row(text, "  pretension", fit.direct->pretension_eV_per_A2, fit.direct->pretension_stderr_eV_per_A2, 3,
           fmt::format("  rms {:.2f} %", 100 * fit.direct->rms_relative));
+  if (result.torn_at_A)
+    fmt::format_to(std::back_inserter(text),
+                   "  by its law the sheet tears beyond a depth of {:.4g} nm: {} deeper points are left out of this fit\n",
+                   *result.torn_at_A / 10, fit.points - static_cast<int>(result.direct_depth_A.size()));
   if (!fit.bias) return;
   const FitBias& bias = *fit.bias;
   fmt::format_to(
@@ -72,7 +77,7 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
                  "bootstrap ± {:.1f} and ± {:.3f} N/m\n",
                  fit.correlation, fit.condition_number, fit.r_squared, 100 * fit.rms_relative,
                  in_N_per_m(fit.Eh_bootstrap_eV_per_A2), in_N_per_m(fit.pretension_bootstrap_eV_per_A2));
-  add_corrections(text, fit, options);
+  add_corrections(text, result, options);
   if (!fit.direct) text += fmt::format("  no fit of the {} itself: ", options.physics ? "sheet" : "membrane") + result.direct_skipped + "\n";
   for (const std::string& warning : fit.warnings) text += "  warning: " + warning + "\n";
   return text;
@@ -100,6 +105,7 @@ nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& resu
     curve["force_eV_per_A"] = result.force_eV_per_A;
     curve["fit"] = fit_document(result.fit);
     if (!result.direct_skipped.empty()) curve["direct_skipped"] = result.direct_skipped;
+    if (result.torn_at_A) curve["direct_torn_at_A"] = *result.torn_at_A;
     curve["window_scan"] = {{"depth_max_A", result.scan.depth_max_A},
                             {"Eh_eV_per_A2", result.scan.Eh_eV_per_A2},
                             {"pretension_eV_per_A2", result.scan.pretension_eV_per_A2}};
@@ -138,14 +144,6 @@ std::string model_block(const MeasuredResult& result, const MeasuredOptions& opt
   return block("model", depth, force, 0.1, nN_per_eV_per_A);
 }
 
-std::vector<double> direct_depths(const MeasuredResult& result) {
-  std::vector<double> depth;
-  const double shift = result.fit.depth_offset_A.value_or(0);
-  for (const double d : result.depth_A)
-    if (d > shift) depth.push_back(d);
-  return depth;
-}
-
 std::vector<double> lifted(std::vector<double> force, const Fit& fit) {
   for (double& f : force) f += fit.force_offset_eV_per_A.value_or(0);
   return force;
@@ -177,7 +175,7 @@ std::optional<std::string> draw_measured(const MeasuredResult& result, const Mea
                      block("residual", fit.fitted_depth_A, fit.residual_eV_per_A, 0.1, nN_per_eV_per_A) +
                      scan_block(result);
   if (direct)
-    text += block("membrane", direct_depths(result), lifted(result.direct_force_eV_per_A, fit), 0.1,
+    text += block("membrane", result.direct_depth_A, lifted(result.direct_force_eV_per_A, fit), 0.1,
                   nN_per_eV_per_A);
   text += fmt::format(
       "set multiplot layout 2,2 title {}\n"

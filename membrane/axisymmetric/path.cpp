@@ -15,7 +15,7 @@ namespace membrane::axisymmetric {
 namespace {
 
 constexpr int most_cuts = 12;                // failed attempts on the way to one level …
-constexpr int most_factorisations = 30000;   // … and work on it: most take a hundred, hard first levels thousands
+constexpr int most_factorisations = 5000;    // … and work on it: most take thirty, hard first levels thousands
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
 constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …

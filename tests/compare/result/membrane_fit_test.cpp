@@ -123,6 +123,31 @@ TEST(MembraneFit, ASheetOfThirdOrderGivesBackItsConstants) {
   EXPECT_LT(misread.fit.Eh_eV_per_A2 / Eh, 0.99);
 }
 
+/// A curve that goes on where the sheet of the law would have torn is fitted up to there.
+TEST(MembraneFit, ASheetThatTearsIsFittedAsFarAsItGoes) {
+  const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = 0.34 / N_per_m_per_eV_per_A2;
+  MembraneTip sheet{5000, 0.165, 165, 0, true};
+  sheet.physics = third_order_physics(0.165, -1200 / N_per_m_per_eV_per_A2, 1.4);
+  std::vector<double> d;
+  for (int i = 1; i <= 40; ++i) d.push_back(25.0 * i);
+  SheetCurve curve = sheet_curve(sheet, sheet.physics->law(Eh), pretension, d);
+  ASSERT_FALSE(curve.ended_early.empty());
+  const double end = curve.depth_A.back(), force = curve.force_eV_per_A.back();
+  ASSERT_GT(end, 500);
+  for (const double deeper : {1.05, 1.1, 1.15}) {
+    curve.depth_A.push_back(deeper * end);
+    curve.force_eV_per_A.push_back(deeper * deeper * deeper * force);
+  }
+  const MembraneFitReport direct = fit_membrane(sheet, curve.depth_A, curve.force_eV_per_A, {});
+  ASSERT_TRUE(direct.converged) << direct.reason;
+  ASSERT_TRUE(direct.torn_at_A);
+  EXPECT_NEAR(*direct.torn_at_A / end, 1, 0.08);
+  EXPECT_EQ(direct.depth_A.size(), direct.force_eV_per_A.size());
+  EXPECT_LT(direct.depth_A.size(), curve.depth_A.size() - 2);
+  EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / Eh, 1, 5e-4);
+  EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / pretension, 1, 5e-3);
+}
+
 /// 110 Å of AIREBO-like graphene: bending is most of the force at first.
 TEST(MembraneFit, ASmallSheetThatBendsGivesBackItsConstants) {
   membrane::CauchyBorn law{17.3356, 0.3645, {{3, 0, -15.8}, {1, 2, -60}}};
