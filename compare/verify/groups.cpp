@@ -12,6 +12,7 @@ constexpr std::array all = {
     Group{"point", "point load: Schwerin, alpha(nu), beta(nu), uniform and graded meshes", verify_point},
     Group{"disc", "disc load: finite strain, pretension", verify_disc},
     Group{"sphere", "rigid sphere: finite strain, pretension, contact", verify_sphere},
+    Group{"bending", "clamped plate, von Karman's plate, on to the membrane at finite strain", verify_bending},
     Group{"pressure", "Hencky, finite strain under follower pressure, Mylar balloon", verify_pressure},
     Group{"wrinkling", "square airbag, strip in bending, annulus in torsion", verify_wrinkling},
     Group{"figure4", "the paper's pressurised square", verify_figure4},

@@ -14,6 +14,7 @@ void verify_patch(Ledger& ledger);
 void verify_point(Ledger& ledger);
 void verify_disc(Ledger& ledger);
 void verify_sphere(Ledger& ledger);
+void verify_bending(Ledger& ledger);
 void verify_pressure(Ledger& ledger);
 void verify_wrinkling(Ledger& ledger);
 void verify_figure4(Ledger& ledger);
