@@ -4,45 +4,12 @@
 #include <cmath>
 #include <deque>
 
+#include "atomistic/projected_preconditioner.hpp"
+
 namespace atomistic {
 namespace {
 
 using Eigen::VectorXd;
-
-/// P⁻¹ on the subspace c·s = 0, and the multiplier that belongs to it: λ = cᵀP⁻¹g / cᵀP⁻¹c.
-class ProjectedPreconditioner {
- public:
-  explicit ProjectedPreconditioner(const Minimisation& problem) : problem_(problem) {
-    if (problem_.constraint.size() == 0) return;
-    direction_ = problem_.constraint_response.size() ? problem_.constraint_response
-                                                     : problem_.precondition(problem_.constraint);
-    stiffness_ = problem_.constraint.dot(direction_);
-  }
-
-  VectorXd operator()(const VectorXd& g) const {
-    VectorXd s = problem_.precondition(g);
-    project(s);
-    return s;
-  }
-
-  /// Removes what leaves the subspace, along P⁻¹c.
-  void project(VectorXd& s) const {
-    if (direction_.size()) s -= direction_ * (problem_.constraint.dot(s) / stiffness_);
-  }
-
-  double multiplier(const VectorXd& g) const {
-    return direction_.size() ? direction_.dot(g) / stiffness_ : 0.0;
-  }
-
-  VectorXd without_load(const VectorXd& g) const {
-    return direction_.size() ? VectorXd(g - multiplier(g) * problem_.constraint) : g;
-  }
-
- private:
-  const Minimisation& problem_;
-  VectorXd direction_;
-  double stiffness_ = 0;
-};
 
 struct Pair {
   VectorXd s, y;
@@ -64,15 +31,6 @@ VectorXd descent_direction(const VectorXd& gradient, const std::deque<Pair>& pai
   p.project(r);  // rounding in the history would grow from one iteration to the next
   return -r;
 }
-
-double largest_atom_norm(const VectorXd& v) {
-  return v.size() ? Eigen::Map<const Eigen::Matrix3Xd>(v.data(), 3, v.size() / 3).colwise().norm().maxCoeff()
-                  : 0.0;
-}
-
-/// The energy is a sum over thousands of atoms: differences below this are rounding (AIREBO: some 1e-12 of
-/// the sum).
-double rounding_floor(double energy) { return 1e-11 * std::max(1.0, std::abs(energy)); }
 
 /// Armijo's condition; where rounding hides it, the same condition on the slope (the approximate Wolfe
 /// condition of Hager and Zhang, SIAM J. Optim. 16 (2005) 170), which rounding does not touch.

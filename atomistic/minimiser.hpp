@@ -27,6 +27,7 @@ struct MinimiserOptions {
   int memory = 20;
   double longest_step = 0.3;  ///< of any atom, Å
   int max_evaluations = 600;
+  double trust_radius = 0;  ///< of Newton's first step, √eV in the metric; 0: what the preconditioner would take
 };
 
 struct MinimiserReport {
@@ -37,6 +38,7 @@ struct MinimiserReport {
   double multiplier = 0;  ///< λ with gradient ≈ λ c
   double max_force = 0;
   double energy_residual = 0;  ///< gᵀP⁻¹g of the projected gradient, eV
+  double trust_radius = 0;     ///< that Newton's method ended with
 };
 
 /// Called once per iteration with the evaluations so far and the largest force; false gives up.

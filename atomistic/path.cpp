@@ -6,6 +6,7 @@
 
 #include "atomistic/guide.hpp"
 #include "atomistic/loads/sphere_load.hpp"
+#include "atomistic/newton_krylov.hpp"
 #include "atomistic/ripple.hpp"
 
 namespace atomistic {
@@ -25,6 +26,10 @@ constexpr int tolerated_extra_evaluations = 0;
 
 /// A level that needs more evaluations than this gets a fresh factor at its current positions.
 constexpr int evaluations_per_factor = 40;
+
+/// A level that needs more evaluations than this is solved by Newton's method, with fresh factors less often.
+constexpr int evaluations_before_newton = 160;
+constexpr int evaluations_per_newton_factor = 200;
 
 /// How much stiffer the contact is made to see what its softness does.
 constexpr double stiffer_contact = 4;
@@ -221,11 +226,15 @@ MinimiserReport Path::minimise_level(int number) {
     problem.constraint_response = preconditioner_.constraint_response(problem.constraint);
     options.max_evaluations = std::min(evaluations_per_factor, problem_.max_evaluations - evaluations);
     VectorXd x = free_positions();
-    result = minimise(problem, options, x, [&](int done, double max_force) {
+    const auto on_iteration = [&](int done, double max_force) {
       if (callbacks_.on_progress) callbacks_.on_progress({number, evaluations + done, max_force});
       return !torn();
-    });
+    };
+    const bool drags_on = evaluations >= evaluations_before_newton;
+    if (drags_on) options.max_evaluations = std::min(evaluations_per_newton_factor, problem_.max_evaluations - evaluations);
+    result = (drags_on ? minimise_by_newton : minimise)(problem, options, x, on_iteration);
     evaluations += result.evaluations;
+    options.trust_radius = result.trust_radius;
     positions_.head(free_dofs()) = x;
     if (result.converged || evaluations >= problem_.max_evaluations || torn()) break;
     factorise(positions_);
