@@ -1,9 +1,9 @@
 // What makes a problem unsolvable before anything is computed.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "membrane/laws/principal.hpp"
 #include "membrane/problem.hpp"
 #include "membrane/refusal.hpp"
 
@@ -163,7 +163,7 @@ void check_directions(const Problem& problem) {
 }
 
 bool compressive(const Eigen::Matrix2d& prestress) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(prestress).eigenvalues()[0] < 0;
+  return Principal(prestress(0, 0), prestress(1, 1), prestress(0, 1)).smaller < 0;
 }
 
 void check_levels(const Problem& problem) {

@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace membrane {
+#include "membrane/mesh.hpp"
 
-/// Per node and component: whether the degree of freedom is prescribed.
-using Held = std::vector<std::array<bool, 3>>;
+namespace membrane {
 
 /// Pairs of nodes that some energy couples, in any order and with repetitions.
 using NodePairs = std::vector<std::pair<int, int>>;

@@ -3,19 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "membrane/fault.hpp"
 #include "membrane/laws/response.hpp"
+#include "membrane/mesh.hpp"
 
 namespace membrane {
-
-/// Reference geometry of a triangle in the plane.
-struct Triangle {
-  std::array<int, 3> nodes{};
-  double area_A2 = 0;
-  Eigen::Matrix<double, 2, 3> shape_gradients;  ///< column a: gradient of the shape function of node a, 1/Å
-};
 
 /// Displacements of a triangle's nodes, one column per node (3×3, Å).
 using NodeVectors = Eigen::Matrix3d;

@@ -6,15 +6,22 @@
 #include <map>
 #include <vector>
 
-#include "membrane/hessian.hpp"
-#include "membrane/kinematics.hpp"
-
 namespace membrane {
 
 enum class Edge { rim, hub, left, right, bottom, top };
 
 /// How an edge is held. Sliding: it stays in its plane z = 0 and is free in it.
 enum class Support { clamped, sliding, free };
+
+/// Reference geometry of a triangle in the plane.
+struct Triangle {
+  std::array<int, 3> nodes{};
+  double area_A2 = 0;
+  Eigen::Matrix<double, 2, 3> shape_gradients;  ///< column a: gradient of the shape function of node a, 1/Å
+};
+
+/// Per node and component: whether the degree of freedom is prescribed.
+using Held = std::vector<std::array<bool, 3>>;
 
 /// Nodes on one circle about the origin, consecutive and at even angles.
 struct NodeRing {

@@ -1,12 +1,12 @@
 #include "membrane/model.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "membrane/fault.hpp"
 #include "membrane/laws/prestress.hpp"
+#include "membrane/laws/principal.hpp"
 #include "membrane/refusal.hpp"
 
 namespace membrane {
@@ -19,17 +19,13 @@ constexpr double contact_stiffness = 10;
 /// Contact radius over the sphere's at strong indentation: inside, rings are equally wide.
 constexpr double likely_contact = 0.5;
 
-double sheet_modulus(const Law& law) {
-  return std::visit([](const auto& l) -> double { return l.sheet_modulus_eV_per_A2; }, law);
-}
-
 /// A round sheet of an isotropic law under a round load looks the same from every side: the prestress is
 /// turned to its own axes, which makes the two planes of the quarter planes of symmetry for any prestress.
 Voigt prestress_on_axes(const Problem& problem, const Mesh& mesh) {
   const Eigen::Matrix2d& p = problem.prestress_eV_per_A2;
   if (mesh.rings.empty() || mesh.copies == 1 || !is_isotropic(problem.law)) return {p(0, 0), p(1, 1), p(0, 1)};
-  const Eigen::Vector2d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(p).eigenvalues();
-  return {principal[0], principal[1], 0};
+  const Principal principal(p(0, 0), p(1, 1), p(0, 1));
+  return {principal.smaller, principal.larger, 0};
 }
 
 struct RadiusOfLoad {

@@ -21,7 +21,7 @@ double size_of(const Mesh& mesh) {
 template <class Call>
 Eigen::VectorXd StiffenedSheet::while_stiffened(Call call) {
   const Material material = model_.stretching().material();
-  const double modulus = std::visit([](const auto& law) -> double { return law.sheet_modulus_eV_per_A2; }, material.law);
+  const double modulus = sheet_modulus(material.law);
   const double nu = std::visit([](const auto& law) -> double { return law.nu; }, material.law);
   const double strain = stiffening * (1 - std::min(nu, 0.5));
   model_.stretching().set_material({StVenantKirchhoff{modulus, std::min(nu, 0.5)}, Voigt(strain, strain, 0), false});

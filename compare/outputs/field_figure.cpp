@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "compare/outputs/figure.hpp"
 #include "compare/outputs/gnuplot.hpp"

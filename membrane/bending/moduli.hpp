@@ -1,10 +1,6 @@
 // How much a sheet resists bending.
 #pragma once
 
-#include <cmath>
-
-#include "membrane/refusal.hpp"
-
 namespace membrane {
 
 /// ½ κ (κ1 + κ2)² + κG κ1 κ2 per reference area, κ1 and κ2 the principal curvatures.
@@ -14,12 +10,7 @@ struct BendingModuli {
       0;  ///< κG in (−2 κ, 0): outside the energy has no lower bound. No effect on a clamped sheet
 
   /// Throws std::invalid_argument for a sheet that is not stable.
-  void check() const {
-    if (!(mean_eV > 0) || !std::isfinite(mean_eV))
-      refuse("bending.mean_eV", mean_eV, "must be positive and finite");
-    if (!(gaussian_eV < 0 && gaussian_eV > -2 * mean_eV))
-      refuse("bending.gaussian_eV", gaussian_eV, "must lie between -2 bending.mean_eV and 0, both excluded");
-  }
+  void check() const;
 };
 
 /// For a sheet clamped all round, which κG does not change: with this one the triangles err least (a disc

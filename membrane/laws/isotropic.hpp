@@ -36,21 +36,12 @@ inline InvariantEnergy quadratic_energy(double sheet_modulus, double nu, double 
 
 /// S = W_I 1 + ½ W_q n and dS/dE = W_II 1⊗1 + ½ W_Iq (1⊗n + n⊗1) + ¼ W_qq n⊗n + W_q/(4 q) m⊗m, with
 /// n = dev E / q = M1⊗M1 − M2⊗M2 and m = M1⊗M2 + M2⊗M1.
+Response isotropic_response(const InvariantEnergy& energy, const Principal& strain);
+
 template <InvariantLaw L>
 Response isotropic_response(const L& law, const Voigt& strain) {
   const Principal at = principal_strains(strain);
-  const double q = 0.5 * (at.larger - at.smaller);
-  const InvariantEnergy energy = law.energy(strain[0] + strain[1], q);
-  const Voigt one(1, 1, 0);
-  const Voigt n(at.cos_2theta, -at.cos_2theta, at.sin_2theta);
-  const Voigt m = at.shear();
-  Response response;
-  response.energy_eV_per_A2 = energy.W;
-  response.force_eV_per_A2 = energy.W_I * one + 0.5 * q * energy.W_q_over_q * n;
-  response.tangent_eV_per_A2 =
-      energy.W_II * one * one.transpose() + 0.5 * energy.W_Iq * (one * n.transpose() + n * one.transpose()) +
-      0.25 * energy.W_qq * n * n.transpose() + 0.25 * energy.W_q_over_q * m * m.transpose();
-  return response;
+  return isotropic_response(law.energy(strain[0] + strain[1], 0.5 * (at.larger - at.smaller)), at);
 }
 
 /// Principal forces at principal strains E1 ≥ E2, and their derivatives.

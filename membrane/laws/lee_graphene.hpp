@@ -2,10 +2,7 @@
 // has S = E·h E + D E² (second Piola–Kirchhoff force, Green–Lagrange strain).
 #pragma once
 
-#include <cmath>
-
 #include "membrane/laws/isotropic.hpp"
-#include "membrane/refusal.hpp"
 
 namespace membrane {
 
@@ -21,40 +18,16 @@ struct LeeGraphene {
   double nu = 0;                                        ///< Poisson ratio, in (−1, 1)
   double third_order_modulus_eV_per_A2 = -43.06641261;  ///< D; −690 N/m in the publication
 
-  InvariantEnergy energy(double I, double q) const {
-    const double A = third_order_modulus_eV_per_A2 * (1 - 3 * nu) / (12 * (1 - nu) * (1 - nu) * (1 - nu));
-    const double B = third_order_modulus_eV_per_A2 / (1 - nu * nu);
-    InvariantEnergy at = quadratic_energy(sheet_modulus_eV_per_A2, nu, I, q);
-    at.W += A * I * I * I + B * I * q * q;
-    at.W_I += 3 * A * I * I + B * q * q;
-    at.W_q_over_q += 2 * B * I;
-    at.W_II += 6 * A * I;
-    at.W_Iq += 2 * B * q;
-    at.W_qq += 2 * B * I;
-    return at;
-  }
+  InvariantEnergy energy(double I, double q) const;
 
-  Response operator()(const Voigt& strain) const { return isotropic_response(*this, strain); }
-
+  Response operator()(const Voigt& strain) const;
   double natural_width(double axial_strain) const { return -nu * axial_strain; }
-
-  UniaxialResponse uniaxial(double axial_strain) const {
-    const double Eh = sheet_modulus_eV_per_A2;
-    const double D = third_order_modulus_eV_per_A2;
-    const double e = axial_strain;
-    return {(Eh / 2 + D / 3 * e) * e * e, (Eh + D * e) * e, Eh + 2 * D * e};
-  }
+  UniaxialResponse uniaxial(double axial_strain) const;
 
   /// A sheet of one atom's thickness has no 3-D parent.
   double thickness_stretch(const Voigt&) const { return 1; }
 
-  void check() const {
-    if (!(sheet_modulus_eV_per_A2 > 0) || !std::isfinite(sheet_modulus_eV_per_A2))
-      refuse("law.sheet_modulus_eV_per_A2", sheet_modulus_eV_per_A2, "must be positive and finite");
-    if (!(nu > -1 && nu < 1)) refuse("law.nu", nu, "must lie between -1 and 1, both excluded");
-    if (!std::isfinite(third_order_modulus_eV_per_A2))
-      refuse("law.third_order_modulus_eV_per_A2", third_order_modulus_eV_per_A2, "must be finite");
-  }
+  void check() const;
 };
 
 static_assert(IsotropicLaw<LeeGraphene>);

@@ -1,10 +1,7 @@
 // Plane-stress St Venant–Kirchhoff, the law of Gil et al. 2010 (their Eq. 2, with its misprint corrected).
 #pragma once
 
-#include <cmath>
-
 #include "membrane/laws/response.hpp"
-#include "membrane/refusal.hpp"
 
 namespace membrane {
 
@@ -13,16 +10,7 @@ struct StVenantKirchhoff {
   double sheet_modulus_eV_per_A2 = 0;  ///< E·h, uniaxial modulus times thickness
   double nu = 0;                       ///< Poisson ratio, in (−1, 1)
 
-  Response operator()(const Voigt& strain) const {
-    const double c = sheet_modulus_eV_per_A2 / (1 - nu * nu);
-    Response at;
-    at.tangent_eV_per_A2 << c, nu * c, 0,  //
-        nu * c, c, 0,                      //
-        0, 0, 0.5 * (1 - nu) * c;
-    at.force_eV_per_A2 = at.tangent_eV_per_A2 * strain;
-    at.energy_eV_per_A2 = 0.5 * at.force_eV_per_A2.dot(strain);
-    return at;
-  }
+  Response operator()(const Voigt& strain) const;
 
   /// S2 = 0 at E2 = −nu E1.
   double natural_width(double axial_strain) const { return -nu * axial_strain; }
@@ -35,15 +23,9 @@ struct StVenantKirchhoff {
 
   /// S33 = 0 of the 3-D law: lambda3² = 1 − nu/(1 − nu) (lambda1² + lambda2² − 2), NaN where that is
   /// negative.
-  double thickness_stretch(const Voigt& strain) const {
-    return std::sqrt(1 - 2 * nu / (1 - nu) * (strain[0] + strain[1]));
-  }
+  double thickness_stretch(const Voigt& strain) const;
 
-  void check() const {
-    if (!(sheet_modulus_eV_per_A2 > 0) || !std::isfinite(sheet_modulus_eV_per_A2))
-      refuse("law.sheet_modulus_eV_per_A2", sheet_modulus_eV_per_A2, "must be positive and finite");
-    if (!(nu > -1 && nu < 1)) refuse("law.nu", nu, "must lie between -1 and 1, both excluded");
-  }
+  void check() const;
 };
 
 static_assert(IsotropicLaw<StVenantKirchhoff>);

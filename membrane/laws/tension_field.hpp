@@ -28,31 +28,21 @@ SheetState sheet_state(const L& law, const Voigt& offset_strain) {
 }
 
 /// What wrinkles hide of the strain Ē across them, as [E11, E22, 2 E12]: with it a wrinkled sheet has its
-/// natural width. Zero where there are none.
+/// natural width.
+Voigt hidden_strain(const Principal& offset_strain, double natural_width);
+
+/// Zero where there are no wrinkles.
 template <IsotropicLaw L>
 Voigt hidden_strain(const L& law, const Voigt& offset_strain) {
   const Principal at = principal_strains(offset_strain);
   if (sheet_state(law, at) != SheetState::wrinkled) return Voigt::Zero();
-  const Voigt along = at.axial();
-  return (law.natural_width(at.larger) - at.smaller) * Voigt(1 - along[0], 1 - along[1], -2 * along[2]);
+  return hidden_strain(at, law.natural_width(at.larger));
 }
 
 /// psi(Ē1) of the uniaxial law with S = S1 M1⊗M1 and
 /// dS/dE = dS1/dE1 M1⊗M1⊗M1⊗M1 + S1 / (2(Ē1 − Ē2)) (M1⊗M2 + M2⊗M1)⊗(M1⊗M2 + M2⊗M1):
 /// the second term turns the wrinkles with the strain. Ē1 > Ē2 here, since equal positive strains are taut.
-template <IsotropicLaw L>
-Response wrinkled_response(const L& law, const Principal& strain) {
-  const UniaxialResponse along = law.uniaxial(strain.larger);
-  const Voigt m11 = strain.axial();
-  const Voigt m12 = strain.shear();
-  const double turning = (broken(Fault::double_turning) ? 2 : 1) * along.force_eV_per_A2 /
-                         (2 * (strain.larger - strain.smaller));
-  Response at;
-  at.energy_eV_per_A2 = along.energy_eV_per_A2;
-  at.force_eV_per_A2 = along.force_eV_per_A2 * m11;
-  at.tangent_eV_per_A2 = along.tangent_eV_per_A2 * m11 * m11.transpose() + turning * m12 * m12.transpose();
-  return at;
-}
+Response wrinkled_response(const UniaxialResponse& along, const Principal& strain);
 
 /// The relaxed law at the offset strain Ē (prestress included): taut, wrinkled or slack, C¹ over both
 /// borders.
@@ -63,7 +53,7 @@ Response tension_field(const L& law, const Voigt& offset_strain) {
     case SheetState::taut:
       return law(offset_strain);
     case SheetState::wrinkled:
-      return wrinkled_response(law, strain);
+      return wrinkled_response(law.uniaxial(strain.larger), strain);
     case SheetState::slack:
       break;
   }
