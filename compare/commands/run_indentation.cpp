@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/commands/atoms_options.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "compare/errors.hpp"
 #include "compare/outputs/file.hpp"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "compare/errors.hpp"
 #include "compare/outputs/html.hpp"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "compare/errors.hpp"
 #include "tests/compare/result/sample_result.hpp"
