@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
 
 #include "tests/cli/run_program.hpp"
 
@@ -15,7 +16,7 @@ TEST(FigureWithAtoms, TwoIsMade) {
         << ending;
 }
 
-/// One search: up through smaller pressures, folded at the last.
+/// One search: up through smaller pressures, folded at the last, an equilibrium.
 TEST(FigureWithAtoms, FourShowsTheSquareAsAtoms) {
   const cli_tests::WorkFolder folder;
   const auto outcome = cli_tests::run_validate({"figure", "4", "--atoms", "--starts", "1", "--out", "f", "--quiet"},
@@ -24,5 +25,8 @@ TEST(FigureWithAtoms, FourShowsTheSquareAsAtoms) {
   for (const char* words : {"tersoff atoms: centre depth", "through smaller pressures", "wrinkled or taut in both",
                             "waves along the sides"})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << outcome.out;
+  const auto forces = outcome.out.find("max|f| ");
+  ASSERT_NE(forces, std::string::npos) << outcome.out;
+  EXPECT_LE(std::stod(outcome.out.substr(forces + 7)), 1e-4);
   EXPECT_LT(std::filesystem::file_size(folder.path() / "f" / "figure4.svg"), 1500000u);
 }
