@@ -15,7 +15,8 @@ namespace membrane::axisymmetric {
 namespace {
 
 constexpr int most_cuts = 12;                // failed attempts on the way to one level …
-constexpr int most_factorisations = 5000;    // … and work on it: most take thirty, hard first levels thousands
+constexpr int most_factorisations = 5000;    // … and work on it: most take thirty …
+constexpr int most_for_the_first = 30000;    // … but the way out of the flat sheet can take thousands
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
 constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
@@ -64,12 +65,11 @@ class Path {
   /// between is reached first.
   template <class Try, class Here>
   Attempt reach(double value, Try attempt, Here here) {
+    const bool first = !predictor_.last();
     Attempt at = attempt(value);
     std::vector<double> between;  // the next one last
-    const int begun = newton_.factorisations();
-    const auto goes_on = [&](int cuts) {
-      return cuts < most_cuts && newton_.factorisations() - begun < most_factorisations;
-    };
+    const int most = newton_.factorisations() + (first ? most_for_the_first : most_factorisations);
+    const auto goes_on = [&](int cuts) { return cuts < most_cuts && newton_.factorisations() < most; };
     for (int cuts = 0; !at.equilibrium.converged && goes_on(cuts);) {
       const double target = between.empty() ? value : between.back();
       between.push_back(predictor_.last() ? 0.5 * (here() + target) : target / 8);
