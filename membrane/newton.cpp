@@ -11,6 +11,7 @@ namespace membrane {
 namespace {
 
 constexpr double rounding = 3e-14;      // of the triangles' forces on the nodes: no residual gets below it
+constexpr double energy_rounding = 1e-15;
 constexpr double energy_noise = 1e-12;  // relative; below it energies do not tell better from worse
 constexpr double least_damping = 1e-7;  // of the largest diagonal entry of the tangent
 
@@ -122,7 +123,8 @@ bool Newton::move(const Target& target, Eigen::VectorXd& u) {
     if (target.curved) target.curved->restore(target.value, trial_);
     trial_energy = total_.energy(trial_, trial_gradient_);
     return Trial{.change = trial_energy - energy_ - length * work,
-                 .noise = energy_noise * (std::abs(energy_) + std::abs(length * work)),
+                 .noise = energy_noise * (std::abs(energy_) + std::abs(length * work)) +
+                          energy_rounding * total_.counted_from(),
                  .slope = trial_gradient_.dot(step_) - work};
   });
   if (length == 0) return false;

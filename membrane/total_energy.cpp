@@ -34,6 +34,12 @@ const Hessian::Matrix& TotalEnergy::hessian(const Eigen::VectorXd& u, double sha
   return hessian_.matrix();
 }
 
+double TotalEnergy::counted_from() const {
+  double sum = 0;
+  for (const EnergyTerm* term : terms_) sum += term->counted_from();
+  return sum;
+}
+
 double TotalEnergy::part_norm() const {
   double squares = 0;
   for (const EnergyTerm* term : terms_) squares += term->part_norm() * term->part_norm();

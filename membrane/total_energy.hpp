@@ -27,6 +27,9 @@ class TotalEnergy {
   /// Root of the sum of squares of what the last energy() summed up into the gradient, eV/Å.
   double part_norm() const;
 
+  /// Of all terms, EnergyTerm::counted_from().
+  double counted_from() const;
+
   /// Sets held components to zero.
   void release_held(Eigen::VectorXd& vector) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "membrane/laws/list.hpp"
@@ -30,6 +31,7 @@ class Stretching final : public EnergyTerm {
   void add_hessian(const Eigen::VectorXd& u, double share, Hessian& hessian) override;
 
   double part_norm() const override { return part_norm_; }
+  double counted_from() const override { return std::abs(flat_energy_density_) * mesh_.area_A2(); }
 
   const Material& material() const { return material_; }
   void set_material(Material material);

@@ -28,6 +28,9 @@ class EnergyTerm {
   /// Root of the sum of squares of the parts that the last add_gradient() summed up, eV/Å: the scale of what cancels in
   /// the gradient, and so of its rounding.
   virtual double part_norm() const { return 0; }
+
+  /// What the energy is counted from (eV, not negative): the rounding of a small energy is a share of that.
+  virtual double counted_from() const { return 0; }
 };
 
 }  // namespace membrane
