@@ -10,7 +10,7 @@ namespace compare {
 namespace {
 
 constexpr double ripple_A = 0.5;
-// A folded sheet has directions in which it costs next to nothing to move, and they take most of the evaluations, 5000 to 10000.
+// A folded sheet has directions in which it costs next to nothing to move, and they take most of the evaluations, 4000 to 7000.
 constexpr double force_tolerance_eV_per_A = 1e-4;
 constexpr int most_evaluations = 20000;
 constexpr double shares_of_pressure[] = {0.02, 0.15, 0.4, 0.7, 1};

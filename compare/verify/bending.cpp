@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <vector>
 
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
@@ -74,11 +76,12 @@ void finite(Ledger& ledger) {
   twin.levels = problem.levels;
   std::vector<axisymmetric::SheetStep> twins;
   axisymmetric::solve(twin, [&](const axisymmetric::SheetStep& step) {
-    twins.push_back(step);
+    if (step.converged) twins.push_back(step);
     return step.converged;
   });
   const std::vector<Step> steps = solved(problem);
-  for (std::size_t i = 0; i < steps.size() && i < twins.size(); ++i) {
+  if (twins.size() != steps.size()) throw std::runtime_error("the one-dimensional sheet does not reach every level");
+  for (std::size_t i = 0; i < steps.size(); ++i) {
     ledger.begin(fmt::format("sheet of 100 Å with bending, disc of 10 Å, {:g} Å deep", problem.levels[i]));
     ledger.equal("force, eV/Å", steps[i].force_eV_per_A,
                  Reference{twins[i].force_eV_per_A, "the one-dimensional sheet: other elements, other curvatures"}, 0.003);

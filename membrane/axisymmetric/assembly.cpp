@@ -84,7 +84,7 @@ double Assembly::energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     }
     add(point, sum);
   }
-  for (const QuadraturePoint& point : contact_points_) {
+  for (const QuadraturePoint& point : pressed()) {
     const Density density = (*contact_)(point.ring, state(point, x));
     parts_.back() += point.ring.area_A2 * density.value;
     add(point, density.gradient);
@@ -121,8 +121,8 @@ void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
       sum += std::visit([&](const auto& term) { return term(point.ring, y).hessian; }, any);
     add(point, sum, K);
   }
-  for (std::size_t i = 0; i < contact_points_.size(); ++i) {
-    const QuadraturePoint& point = contact_points_[i];
+  for (std::size_t i = 0; i < pressed().size(); ++i) {
+    const QuadraturePoint& point = pressed()[i];
     add(point, (*contact_)(point.ring, state(point, x), pressures_[i]).hessian, K);
   }
   for (int dof : held_) K.hold(dof);
@@ -130,13 +130,13 @@ void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
 
 void Assembly::press(const Eigen::VectorXd& x) {
   pressures_.clear();
-  for (const QuadraturePoint& point : contact_points_)
+  for (const QuadraturePoint& point : pressed())
     pressures_.push_back(contact_->barrier_eV_per_A2 / contact_->gap(point.ring, state(point, x)));
 }
 
 double Assembly::longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const {
   double share = 1;
-  for (const QuadraturePoint& point : contact_points_) {
+  for (const QuadraturePoint& point : pressed()) {
     const LocalState y = state(point, x);
     const double gap = contact_->gap(point.ring, y);
     const double change = contact_->normal(point.ring, y).dot(state(point, step));
@@ -146,8 +146,8 @@ double Assembly::longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) 
 }
 
 void Assembly::press(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
-  for (std::size_t i = 0; i < contact_points_.size(); ++i) {
-    const QuadraturePoint& point = contact_points_[i];
+  for (std::size_t i = 0; i < pressed().size(); ++i) {
+    const QuadraturePoint& point = pressed()[i];
     const LocalState y = state(point, x);
     const double gap = contact_->gap(point.ring, y);
     const double change = contact_->normal(point.ring, y).dot(state(point, step));

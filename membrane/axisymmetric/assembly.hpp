@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "membrane/axisymmetric/block_tridiagonal.hpp"
@@ -98,6 +99,11 @@ class Assembly {
   std::vector<int> held_;
   std::vector<EnergyTerm> terms_;
   std::optional<SphereContact> contact_;
+  /// Where the contact acts: nowhere without a barrier.
+  std::span<const QuadraturePoint> pressed() const {
+    return contact_ && contact_->barrier_eV_per_A2 > 0 ? std::span(contact_points_) : std::span<const QuadraturePoint>();
+  }
+
   std::vector<QuadraturePoint> points_, contact_points_;
   std::vector<double> pressures_;  ///< of the contact's rings, eV/Å³
   std::vector<double> parts_;

@@ -9,6 +9,7 @@ namespace membrane::axisymmetric {
 namespace {
 
 constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
+constexpr double aim = 1e-11;
 constexpr int most_stalls = 2;
 constexpr int most_searches = 200;
 constexpr double energy_noise = 1e-13;  // of what the energy is the sum of
@@ -50,7 +51,7 @@ bool Newton::move(Eigen::VectorXd& x) {
   return true;
 }
 
-Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, double aim) {
+Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
   Equilibrium at;
   int stalls = 0;
   energy_ = assembly_.energy(x, gradient_);

@@ -21,9 +21,9 @@ class Newton {
  public:
   explicit Newton(Assembly& assembly);
 
-  /// Minimises the energy over x, in place, to this relative residual. With a pattern its depth pattern·x stays what it is,
-  /// and the force is the multiplier; an empty pattern leaves x free.
-  Equilibrium solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x, double aim = 1e-11);
+  /// Minimises the energy over x, in place. With a pattern its depth pattern·x stays what it is, and the
+  /// force is the multiplier; an empty pattern leaves x free.
+  Equilibrium solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x);
 
   int factorisations() const { return factorisations_; }
 

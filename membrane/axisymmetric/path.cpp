@@ -22,6 +22,7 @@ constexpr double force_tolerance = 1e-10;
 constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
 constexpr double last_slack = 1e-8;      // … until the gap that bears the force is this share of the depth
 constexpr double close_enough = 0.98;     // to that
+constexpr double no_contact = 1e-14;      // of the energy: the sheet is clear of the sphere
 constexpr double barrier_decay = 0.1;     // at each stride; later strides are longer
 
 class Path {
@@ -136,22 +137,34 @@ class Path {
     contact.depth_A = at.known.depth_A;
     clear_sphere(at.known.x);
     const double area = std::numbers::pi * contact.radius_A * contact.radius_A;
-    Eigen::VectorXd gradient;
-    contact.barrier_eV_per_A2 = 0;
+    const double unit = sheet_energy(at.known.x) / area;
     double share = first_barrier;
-    contact.barrier_eV_per_A2 = share * assembly_.energy(at.known.x, gradient) / area;
-    const double unit = contact.barrier_eV_per_A2 / share;
+    contact.barrier_eV_per_A2 = share * unit;
     assembly_.press(at.known.x);
     for (;;) {
       find({}, at);
       if (!at.equilibrium.converged) return;
       const Bearing bearing = bearing_of(at.known.x);
       at.known.force_eV_per_A = bearing.force_eV_per_A;
-      const double farther = last_slack * contact.depth_A / bearing.gap_A;  // the gap is proportional to the barrier
-      if (farther > close_enough) return;
+      const double farther = last_slack * depth_scale() / bearing.gap_A;  // the gap is proportional to the barrier
+      if (farther > close_enough || share < no_contact) return;
       share *= std::max(farther, std::min(barrier_decay, std::sqrt(share)));
       contact.barrier_eV_per_A2 = share * unit;
     }
+  }
+
+  /// Of stretching and bending: the pressure's has either sign.
+  double sheet_energy(const Eigen::VectorXd& x) {
+    Eigen::VectorXd gradient;
+    assembly_.contact()->barrier_eV_per_A2 = 0;
+    assembly_.energy(x, gradient);
+    return std::abs(assembly_.parts()[stretching_term]) + assembly_.parts()[bending_term];
+  }
+
+  /// A pressure can lift the sheet to where the sphere's depth is zero or less.
+  double depth_scale() const {
+    const SphereContact& contact = *assembly_.contact();
+    return std::max(std::abs(contact.depth_A), 1e-3 * contact.radius_A);
   }
 
   /// What the sphere bears, and across which gap: the mean over the rings by the square of their forces.
@@ -174,7 +187,7 @@ class Path {
   /// Deepens a shape until it is clear of the sphere.
   void clear_sphere(Eigen::VectorXd& x) const {
     const SphereContact& contact = *assembly_.contact();
-    double farther = 1e-3 * std::min(contact.depth_A, contact.radius_A);
+    double farther = 1e-3 * std::min(depth_scale(), contact.radius_A);
     const auto least_gap = [&](const Eigen::VectorXd& shape) {
       double least = std::numeric_limits<double>::infinity();
       assembly_.over_contact(

@@ -189,8 +189,27 @@ TEST(AxisymmetricSphere, IsNotPassed) {
     for (int i = 1; i <= 40; ++i) problem.levels.push_back(0.5 * i);
     const auto small_steps = run(problem);
     EXPECT_GE(strides.back().points.front().depth_A, 20);
-    EXPECT_NEAR(strides.back().force_eV_per_A / small_steps.back().force_eV_per_A, 1, 1e-6);
+    EXPECT_NEAR(strides.back().force_eV_per_A / small_steps.back().force_eV_per_A, 1, 1e-7);
     for (const SheetStep& step : small_steps) EXPECT_LT(step.iterations, 70) << step.conjugate_depth_A;
+  }
+}
+
+// A pressure beside the sphere: what the rim bears is both; where the pressure alone carries the sheet deeper than the sphere
+// goes, the sphere bears nothing.
+TEST(AxisymmetricSphere, SharesTheSheetWithAPressure) {
+  for (double pressure : {1e-3, -1e-3}) {
+    SheetProblem problem = membrane_problem(0.2, SphereLoad{20}, {8, 14, 20, 26});
+    problem.pressure_eV_per_A3 = pressure;
+    const auto steps = run(problem);
+    ASSERT_EQ(steps.size(), 4u);
+    for (const SheetStep& step : steps) {
+      const double rim = step.rim_reaction_eV_per_A - pressure * pi * a * a;
+      EXPECT_NEAR(rim, step.force_eV_per_A, 1e-5 * std::abs(pressure) * pi * a * a) << step.conjugate_depth_A;
+    }
+    const double alone = steps.front().points.front().depth_A;  // at 8 Å of the sphere
+    EXPECT_EQ(alone > 14, pressure > 0) << alone;
+    EXPECT_EQ(steps.front().force_eV_per_A > 1e-6, pressure < 0);
+    EXPECT_GT(steps.back().force_eV_per_A, 2 + steps[2].force_eV_per_A);
   }
 }
 

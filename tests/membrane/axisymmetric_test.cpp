@@ -33,7 +33,7 @@ TEST(AxisymmetricSheet, ALawThatSoftensFindsItsSphere) {
       for (const SheetStep& step : steps) {
         EXPECT_TRUE(step.converged) << tip << ' ' << kappa;
         EXPECT_NEAR(step.rim_reaction_eV_per_A / step.force_eV_per_A, 1, 1e-6);
-        EXPECT_LT(step.points.front().radial_strain, 0.16);
+        EXPECT_LT(step.points.front().radial_strain, tip < 22 ? 0.16 : 0.1);
       }
     }
 }
