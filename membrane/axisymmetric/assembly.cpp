@@ -128,13 +128,13 @@ void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
   for (int dof : held_) K.hold(dof);
 }
 
-void Assembly::press(const Eigen::VectorXd& x) {
+void Assembly::start_pressures(const Eigen::VectorXd& x) {
   pressures_.clear();
   for (const QuadraturePoint& point : pressed())
     pressures_.push_back(contact_->barrier_eV_per_A2 / contact_->gap(point.ring, state(point, x)));
 }
 
-double Assembly::longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const {
+double Assembly::longest_share(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const {
   double share = 1;
   for (const QuadraturePoint& point : pressed()) {
     const LocalState y = state(point, x);
@@ -145,7 +145,7 @@ double Assembly::longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) 
   return share;
 }
 
-void Assembly::press(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+void Assembly::advance_pressures(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
   for (std::size_t i = 0; i < pressed().size(); ++i) {
     const QuadraturePoint& point = pressed()[i];
     const LocalState y = state(point, x);

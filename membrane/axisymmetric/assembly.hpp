@@ -80,11 +80,11 @@ class Assembly {
   std::optional<SphereContact>& contact() { return contact_; }
   const std::optional<SphereContact>& contact() const { return contact_; }
   /// Gives every watched ring the pressure that the barrier has across its gap.
-  void press(const Eigen::VectorXd& x);
+  void start_pressures(const Eigen::VectorXd& x);
   /// The largest share of a step, at most 1, that leaves each gap some of what it is.
-  double longest(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const;
+  double longest_share(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const;
   /// Takes the pressures along with a step from x, as Newton's method on gap × pressure = µ does.
-  void press(const Eigen::VectorXd& x, const Eigen::VectorXd& step);
+  void advance_pressures(const Eigen::VectorXd& x, const Eigen::VectorXd& step);
 
  private:
   using ElementMatrix = Eigen::Matrix<double, 2 * dofs_per_node, 2 * dofs_per_node>;

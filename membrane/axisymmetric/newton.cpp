@@ -35,7 +35,7 @@ bool Newton::factorise(const Eigen::VectorXd& x) {
 /// Moves x, energy_ and gradient_ along step_ as far as the energy falls enough.
 bool Newton::move(Eigen::VectorXd& x) {
   const double noise = energy_noise * assembly_.magnitude();
-  step_ *= assembly_.longest(x, step_);
+  step_ *= assembly_.longest_share(x, step_);
   double trial_energy = 0;
   const double length = line_search(residual_.dot(step_), [&](double share) {
     trial_ = x + share * step_;
@@ -44,7 +44,7 @@ bool Newton::move(Eigen::VectorXd& x) {
         .change = trial_energy - energy_, .noise = noise, .slope = trial_gradient_.dot(step_) - noise};
   });
   if (length == 0) return false;
-  assembly_.press(x, length * step_);
+  assembly_.advance_pressures(x, length * step_);
   x.swap(trial_);
   gradient_.swap(trial_gradient_);
   energy_ = trial_energy;

@@ -140,7 +140,7 @@ class Path {
     const double unit = sheet_energy(at.known.x) / area;
     double share = first_barrier;
     contact.barrier_eV_per_A2 = share * unit;
-    assembly_.press(at.known.x);
+    assembly_.start_pressures(at.known.x);
     for (;;) {
       find({}, at);
       if (!at.equilibrium.converged) return;

@@ -152,7 +152,7 @@ TEST(AxisymmetricAssembly, GradientAndHessianAreThoseOfTheEnergy) {
   Assembly assembly = assembly_of(problem);
   assembly.contact() = SphereContact{10, 2.9, 0.02};
   Eigen::VectorXd x = 3 * tip_shape(problem, assembly, {});
-  assembly.press(x);
+  assembly.start_pressures(x);
   Eigen::VectorXd v = random(x.size());
   assembly.release_held(v);
   for (int n = 0; n <= assembly.element_count(); ++n) {  // smooth enough for finite strains
