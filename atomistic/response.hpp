@@ -1,12 +1,10 @@
-// How the flat sheet answers large homogeneous strain: stress–strain curves, strength, and single states.
+// How a flat sheet answers large homogeneous strain, as plain data: stress–strain curves, strength, and single states.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "atomistic/problem.hpp"
 
 namespace atomistic {
 
@@ -43,10 +41,5 @@ struct Response {
   std::vector<StressCurve> curves;
   std::vector<HomogeneousState> states;
 };
-
-/// The three curves, and the states asked for. On the calling rank alone. Throws std::invalid_argument for a strain that turns the
-/// cell inside out.
-Response compute_response(const Potential& potential, const Card& card, const std::vector<StrainState>& strains,
-                          const std::string& log_file);
 
 }  // namespace atomistic

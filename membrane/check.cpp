@@ -5,7 +5,7 @@
 
 #include "membrane/laws/principal.hpp"
 #include "membrane/problem.hpp"
-#include "membrane/refusal.hpp"
+#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 namespace {

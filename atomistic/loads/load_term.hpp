@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "atomistic/problem.hpp"
-#include "atomistic/sheet.hpp"
+#include "atomistic/lattice/sheet.hpp"
 
 namespace atomistic {
 

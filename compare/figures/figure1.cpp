@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <variant>
 
-#include "compare/curve.hpp"
+#include "compare/fitting/curve.hpp"
 #include "compare/figures/paper_figure.hpp"
-#include "compare/membrane_fit.hpp"
-#include "compare/models/eq16.hpp"
-#include "compare/run_fit.hpp"
-#include "compare/units.hpp"
+#include "compare/fitting/membrane_fit.hpp"
+#include "compare/fitting/models/eq16.hpp"
+#include "compare/fitting/run_fit.hpp"
+#include "compare/base/units.hpp"
 #include "membrane/problem.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr double nu = 0.165, Eh_N_per_m = 342, Eh_spread_N_per_m = 30, pretension_N_per_m = 0.34;
@@ -199,4 +199,4 @@ PaperFigure figure1(const FigureContext& context) {
   return figure;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -7,21 +7,21 @@
 #include <filesystem>
 #include <optional>
 
-#include "compare/agreement.hpp"
-#include "compare/atoms.hpp"
-#include "compare/case_file.hpp"
-#include "compare/curve.hpp"
-#include "compare/errors.hpp"
+#include "compare/verdict/agreement.hpp"
+#include "compare/process/atoms.hpp"
+#include "compare/input/case_file.hpp"
+#include "compare/fitting/curve.hpp"
+#include "compare/base/errors.hpp"
 #include "compare/figures/paper_figure.hpp"
-#include "compare/membrane_fit.hpp"
-#include "compare/models/eq16.hpp"
-#include "compare/models/foeppl.hpp"
-#include "compare/paths.hpp"
-#include "compare/potential_file.hpp"
-#include "compare/study.hpp"
-#include "compare/units.hpp"
+#include "compare/fitting/membrane_fit.hpp"
+#include "compare/fitting/models/eq16.hpp"
+#include "compare/fitting/models/foeppl.hpp"
+#include "compare/base/paths.hpp"
+#include "compare/input/potential_file.hpp"
+#include "compare/study/study.hpp"
+#include "compare/base/units.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"};
@@ -201,4 +201,4 @@ PaperFigure figure2(const FigureContext& context) {
   return figure;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "compare/curve.hpp"
+#include "compare/fitting/curve.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/figures/stress_field.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr double radius_A = 110, tip_A = 10, thickness_A = 1.37, rim_stress = 0.125,
@@ -113,4 +113,4 @@ PaperFigure figure3(const FigureContext& context) {
   return figure;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -8,7 +8,7 @@
 #include "compare/figures/square.hpp"
 #include "compare/figures/square_of_atoms.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr double side_A = 220, thickness_A = 1.37, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
@@ -96,4 +96,4 @@ PaperFigure figure4(const FigureContext& context) {
   return figure;
 }
 
-}  // namespace compare
+}  // namespace validate

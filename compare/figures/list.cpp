@@ -1,6 +1,6 @@
 #include "compare/figures/paper_figure.hpp"
 
-namespace compare {
+namespace validate {
 
 const std::vector<FigureEntry>& paper_figures() {
   static const std::vector<FigureEntry> all = {
@@ -15,4 +15,4 @@ const std::vector<FigureEntry>& paper_figures() {
   return all;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/progress.hpp"
+#include "compare/base/progress.hpp"
 
-namespace compare {
+namespace validate {
 
 struct FigureCurve {
   std::string name;  ///< in the legend and in the data files
@@ -82,4 +82,4 @@ std::string numbers_text(const PaperFigure& figure);
 /// Writes figureN.svg, .png, .csv and .h5 into an existing folder. Throws Error (file failed).
 void write_paper_figure(const PaperFigure& figure, const std::filesystem::path& folder);
 
-}  // namespace compare
+}  // namespace validate

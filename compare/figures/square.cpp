@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace compare {
+namespace validate {
 namespace {
 
 /// How far the middle of an edge has moved inwards, at most.
@@ -99,4 +99,4 @@ FigurePanel square_panel(const std::string& title, const char* label, const char
   return p;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -7,7 +7,7 @@
 #include "compare/figures/paper_figure.hpp"
 #include "compare/figures/stress_field.hpp"
 
-namespace compare {
+namespace validate {
 
 struct Square {
   membrane::Mesh mesh;
@@ -31,4 +31,4 @@ FigurePanel square_panel(const std::string& title, const char* label);
 FigurePanel square_panel(const std::string& title, const char* label, const char* key, const Square& square,
                          double (*value)(const TriangleStress&));
 
-}  // namespace compare
+}  // namespace validate

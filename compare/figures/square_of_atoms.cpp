@@ -9,15 +9,15 @@
 #include <filesystem>
 #include <numeric>
 
-#include "compare/bulge/bulge_atoms.hpp"
+#include "compare/study/bulge_atoms.hpp"
 #include "compare/figures/square.hpp"
 #include "compare/figures/square_search.hpp"
 #include "compare/figures/undulation.hpp"
 #include "compare/figures/virial_field.hpp"
-#include "compare/paths.hpp"
-#include "compare/potential_card.hpp"
+#include "compare/base/paths.hpp"
+#include "compare/potential/potential_card.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr double side_A = 220, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
@@ -270,4 +270,4 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   add_remarks(figure, name, pair, all, membrane, field);
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -3,11 +3,11 @@
 
 #include "compare/figures/paper_figure.hpp"
 
-namespace compare {
+namespace validate {
 
 /// Adds panels, numbers and remarks for the context's first potential: the membrane with the card's constants and the
 /// lowest of the atoms' states of equilibrium under the same pressure (square_search).
 /// Throws Error: bad input for the potential; atomistic failed; interrupted.
 void add_square_of_atoms(PaperFigure& figure, const FigureContext& context);
 
-}  // namespace compare
+}  // namespace validate

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "compare/atoms_curves.hpp"
+#include "compare/process/atoms_curves.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr double ripple_A = 0.5;
@@ -65,4 +65,4 @@ std::vector<Found> search_states(const BulgePair& pair, double pressure_eV_per_A
   return all;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "compare/atoms.hpp"
-#include "compare/bulge/bulge_pairing.hpp"
+#include "compare/process/atoms.hpp"
+#include "compare/pairing/bulge_pairing.hpp"
 #include "compare/figures/paper_figure.hpp"
 
-namespace compare {
+namespace validate {
 
 /// One search and where it ended.
 struct Found {
@@ -29,4 +29,4 @@ struct Found {
 std::vector<Found> search_states(const BulgePair& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,
                                  const FigureContext& context);
 
-}  // namespace compare
+}  // namespace validate

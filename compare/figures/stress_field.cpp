@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "membrane/fields.hpp"
+#include "membrane/triangles/fields.hpp"
 
-namespace compare {
+namespace validate {
 
 std::vector<TriangleStress> stress_field(const membrane::Problem& problem, const membrane::Mesh& mesh,
                                          double thickness_A, const Eigen::VectorXd& displacements_A) {
@@ -23,4 +23,4 @@ std::vector<TriangleStress> stress_field(const membrane::Problem& problem, const
   return stresses;
 }
 
-}  // namespace compare
+}  // namespace validate

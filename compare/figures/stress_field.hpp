@@ -7,7 +7,7 @@
 #include "membrane/laws/tension_field.hpp"
 #include "membrane/problem.hpp"
 
-namespace compare {
+namespace validate {
 
 struct TriangleStress {
   std::array<Eigen::Vector2d, 3> corners_A;            ///< in the reference
@@ -21,4 +21,4 @@ struct TriangleStress {
 std::vector<TriangleStress> stress_field(const membrane::Problem& problem, const membrane::Mesh& mesh,
                                          double thickness_A, const Eigen::VectorXd& displacements_A);
 
-}  // namespace compare
+}  // namespace validate

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace compare {
+namespace validate {
 
 Undulation undulation_of(const std::vector<double>& place_A, const std::vector<double>& height_A) {
   const auto n = static_cast<Eigen::Index>(place_A.size());
@@ -33,4 +33,4 @@ Undulation undulation_of(const std::vector<double>& place_A, const std::vector<d
   return found;
 }
 
-}  // namespace compare
+}  // namespace validate

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace compare {
+namespace validate {
 
 struct Undulation {
   double amplitude_A = 0;   ///< √2 times the root mean square
@@ -14,4 +14,4 @@ struct Undulation {
 /// std::invalid_argument for fewer than 16 points.
 Undulation undulation_of(const std::vector<double>& place_A, const std::vector<double>& height_A);
 
-}  // namespace compare
+}  // namespace validate

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace compare {
+namespace validate {
 namespace {
 
 struct Sum {
@@ -68,4 +68,4 @@ std::vector<VirialCell> virial_field(const atomistic::Sheet& sheet, const atomis
   return field;
 }
 
-}  // namespace compare
+}  // namespace validate

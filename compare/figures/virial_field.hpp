@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "atomistic/problem.hpp"
-#include "atomistic/sheet.hpp"
+#include "atomistic/lattice/sheet.hpp"
 
-namespace compare {
+namespace validate {
 
 /// A coarse cell of the flat sheet and the membrane force that its atoms carry together.
 struct VirialCell {
@@ -27,4 +27,4 @@ Eigen::Vector3d area_of_atom(const atomistic::Sheet& sheet, const Eigen::VectorX
 std::vector<VirialCell> virial_field(const atomistic::Sheet& sheet, const atomistic::Step& step, int cells,
                                      int fewest = 10);
 
-}  // namespace compare
+}  // namespace validate

@@ -6,13 +6,13 @@
 #include <iterator>
 
 #include "compare/figures/paper_figure.hpp"
-#include "compare/outputs/figure.hpp"
-#include "compare/outputs/file.hpp"
-#include "compare/outputs/gnuplot.hpp"
-#include "compare/outputs/h5.hpp"
-#include "compare/outputs/summary_json.hpp"
+#include "compare/documents/plots/figure.hpp"
+#include "compare/base/file.hpp"
+#include "compare/documents/plots/gnuplot.hpp"
+#include "compare/documents/bytes/h5.hpp"
+#include "compare/documents/texts/summary_json.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 std::string block_name(std::size_t panel, std::size_t curve) { return fmt::format("$p{}c{}", panel, curve); }
@@ -208,4 +208,4 @@ void write_paper_figure(const PaperFigure& figure, const std::filesystem::path& 
     spdlog::warn("{}", *warning);
 }
 
-}  // namespace compare
+}  // namespace validate

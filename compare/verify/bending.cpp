@@ -8,9 +8,9 @@
 
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
-#include "membrane/axisymmetric/sheet.hpp"
+#include "membrane/meridian/sheet.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -98,4 +98,4 @@ void verify_bending(Ledger& ledger) {
   finite(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

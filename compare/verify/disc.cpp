@@ -7,7 +7,7 @@
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -104,4 +104,4 @@ void verify_disc(Ledger& ledger) {
   newton(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

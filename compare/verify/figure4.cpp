@@ -8,7 +8,7 @@
 #include "membrane/laws/cauchy.hpp"
 #include "membrane/terms/stretching.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 using namespace membrane;
 
@@ -63,4 +63,4 @@ void verify_figure4(Ledger& ledger) {
          separate_code(0.04385, "range 0.0435-0.0442"), 0.00035);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

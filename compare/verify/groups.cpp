@@ -3,7 +3,7 @@
 #include <array>
 #include <exception>
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 constexpr std::array all = {
@@ -32,4 +32,4 @@ std::vector<Row> run(const Group& group, const OnRow& on_row) {
   return ledger.rows();
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -7,7 +7,7 @@
 
 #include "compare/verify/ledger.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 void verify_laws(Ledger& ledger);
 void verify_patch(Ledger& ledger);
@@ -29,4 +29,4 @@ std::span<const Group> groups();
 /// The rows of a group. A case that does not converge ends its group with a failing row that says why.
 std::vector<Row> run(const Group& group, const OnRow& on_row);
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -11,7 +11,7 @@
 #include "membrane/laws/st_venant_kirchhoff.hpp"
 #include "membrane/laws/tension_field.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -69,4 +69,4 @@ void verify_law_cases(Ledger& ledger) {
   });
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

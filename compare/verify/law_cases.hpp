@@ -3,9 +3,9 @@
 
 #include "compare/verify/ledger.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// Energy, force, tangent and state of law_cases.json and law_cases_general.json.
 void verify_law_cases(Ledger& ledger);
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -12,12 +12,12 @@
 #include "compare/verify/law_cases.hpp"
 #include "compare/verify/misprints.hpp"
 #include "compare/verify/taylor.hpp"
-#include "membrane/kinematics.hpp"
+#include "membrane/terms/kinematics.hpp"
 #include "membrane/laws/list.hpp"
 #include "membrane/laws/tension_field.hpp"
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -177,4 +177,4 @@ void verify_laws(Ledger& ledger) {
   verify_misprints(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace compare::verify {
+namespace validate::verify {
 
 void Ledger::add(Row row) {
   row.group = group_;
@@ -49,4 +49,4 @@ void Ledger::converging(const std::string& quantity, const MeshPair& values, con
         closed_form(order, "order of the mesh's error"), order_tolerance / order, values.meshes);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -8,7 +8,7 @@
 #include "compare/verify/reference.hpp"
 #include "compare/verify/row.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 using OnRow = std::function<void(const Row&)>;
 
@@ -48,4 +48,4 @@ class Ledger {
   std::vector<Row> rows_;
 };
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -7,7 +7,7 @@
 #include "membrane/laws/st_venant_kirchhoff.hpp"
 #include "membrane/laws/tension_field.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -99,4 +99,4 @@ void verify_misprints(Ledger& ledger) {
   equation13(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

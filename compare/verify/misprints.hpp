@@ -3,10 +3,10 @@
 
 #include "compare/verify/ledger.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// Eqs. 2, 4, 12, 13, and 15, which needs 12: the corrected form is what the law computes, the printed one is
 /// not.
 void verify_misprints(Ledger& ledger);
 
-}  // namespace compare::verify
+}  // namespace validate::verify

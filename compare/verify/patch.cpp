@@ -17,9 +17,9 @@
 #include "membrane/terms/obstacles.hpp"
 #include "membrane/terms/pressure.hpp"
 #include "membrane/terms/stretching.hpp"
-#include "membrane/total_energy.hpp"
+#include "membrane/terms/total_energy.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -226,4 +226,4 @@ void verify_patch(Ledger& ledger) {
   every_term(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -7,7 +7,7 @@
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -112,4 +112,4 @@ void verify_point(Ledger& ledger) {
   mesh_table(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -6,9 +6,9 @@
 
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
-#include "membrane/axisymmetric/sheet.hpp"
+#include "membrane/meridian/sheet.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -76,4 +76,4 @@ void verify_pressure(Ledger& ledger) {
   mylar(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -7,7 +7,7 @@
 #include "compare/verify/reference_numbers.hpp"
 #include "compare/verify/row.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// A formula evaluated here; the text is the formula, with its source.
 inline Reference closed_form(double value, std::string_view formula) {
@@ -28,4 +28,4 @@ inline Reference tabulated(std::string_view name) {
   return {number.value, origin};
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

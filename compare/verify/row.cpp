@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace compare::verify {
+namespace validate::verify {
 
 double relative_error(const Row& row) {
   const double difference = std::abs(row.computed - row.reference.value);
@@ -22,4 +22,4 @@ bool passes(const Row& row) {
   return relative_error(row) <= row.tolerance;
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// What a computed value owes to its reference.
 enum class Relation { equal, at_most, at_least };
@@ -29,4 +29,4 @@ double relative_error(const Row& row);
 /// Not a number never passes.
 bool passes(const Row& row);
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace compare::verify {
+namespace validate::verify {
 
 using namespace membrane;
 
@@ -25,4 +25,4 @@ Problem round_sheet(double radius_A, double modulus_eV_per_A2, double nu, int ri
   return problem;
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -5,7 +5,7 @@
 
 #include "membrane/problem.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// One step per level. Throws std::runtime_error with the solver's reason where a level is not reached.
 std::vector<membrane::Step> solved(const membrane::Problem& problem);
@@ -19,4 +19,4 @@ membrane::Problem round_sheet(double radius_A, double modulus_eV_per_A2, double 
 /// Prestress σ in every direction.
 inline Eigen::Matrix2d isotropic(double sigma) { return sigma * Eigen::Matrix2d::Identity(); }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -7,7 +7,7 @@
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -77,4 +77,4 @@ void verify_sphere(Ledger& ledger) {
   pretension(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

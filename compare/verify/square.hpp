@@ -3,7 +3,7 @@
 
 #include "membrane/problem.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// Principal Cauchy stress × thickness, least and largest over the triangles (eV/Å²), of the smaller
 /// principal value.
@@ -13,4 +13,4 @@ struct SmallerStress {
 
 SmallerStress smaller_cauchy_force(const membrane::Problem& problem, const membrane::Step& step);
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -9,7 +9,7 @@
 #include "membrane/laws/tension_field.hpp"
 #include "membrane/terms/stretching.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -95,4 +95,4 @@ void verify_bent_strip(Ledger& ledger) {
   }
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -3,9 +3,9 @@
 
 #include "compare/verify/ledger.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// M. Stein & J. M. Hedgepeth, NASA TN D-813 (1961): a band of the strip's width that bears nothing.
 void verify_bent_strip(Ledger& ledger);
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace compare::verify {
+namespace validate::verify {
 
 /// log2 of how much the remainder (the norm of f(x + t v) minus its Taylor polynomial) falls when t is
 /// halved. Infinite where the remainder is no more than rounding: the polynomial is exact there.
@@ -15,4 +15,4 @@ double observed_order(Remainder remainder, double step, double noise) {
   return std::log2(coarse / remainder(step / 4)) / 2;
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

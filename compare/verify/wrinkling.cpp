@@ -11,7 +11,7 @@
 #include "membrane/laws/tension_field.hpp"
 #include "membrane/terms/stretching.hpp"
 
-namespace compare::verify {
+namespace validate::verify {
 namespace {
 
 using namespace membrane;
@@ -79,4 +79,4 @@ void verify_wrinkling(Ledger& ledger) {
   torsion(ledger);
 }
 
-}  // namespace compare::verify
+}  // namespace validate::verify

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "membrane/refusal.hpp"
+#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "membrane/bending/bending.hpp"
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 #include "membrane/terms/term.hpp"
 
 namespace membrane {

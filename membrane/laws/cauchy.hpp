@@ -1,7 +1,7 @@
 // Cauchy stress of a sheet in plane stress, which needs the thickness that the sheet has now.
 #pragma once
 
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 #include "membrane/laws/tension_field.hpp"
 
 namespace membrane {

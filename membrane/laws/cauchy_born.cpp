@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "membrane/refusal.hpp"
+#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 

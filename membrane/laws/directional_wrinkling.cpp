@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 #include "membrane/laws/cauchy_born_sixfold.hpp"
 #include "membrane/laws/principal.hpp"
 

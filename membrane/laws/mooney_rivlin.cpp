@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "membrane/refusal.hpp"
+#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 

@@ -1,7 +1,7 @@
 // Prestress as an offset strain: Ē = E + E0 with S_law(E0) = sigma_p, for every law.
 #pragma once
 
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 #include "membrane/laws/response.hpp"
 
 namespace membrane {

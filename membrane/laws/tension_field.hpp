@@ -4,7 +4,7 @@
 // (1990) 141.
 #pragma once
 
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 #include "membrane/laws/directional_wrinkling.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/laws/response.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "membrane/fault.hpp"
-#include "membrane/refusal.hpp"
+#include "membrane/base/fault.hpp"
+#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 

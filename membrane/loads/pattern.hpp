@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 
 namespace membrane {
 

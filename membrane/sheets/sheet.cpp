@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "membrane/refusal.hpp"
+#include "membrane/base/refusal.hpp"
 #include "membrane/sheets/grading.hpp"
 #include "membrane/sheets/rectangle.hpp"
 #include "membrane/sheets/rings.hpp"

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 
 namespace membrane {
 

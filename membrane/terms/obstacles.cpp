@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 
 namespace membrane {
 namespace {

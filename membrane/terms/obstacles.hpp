@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 #include "membrane/terms/term.hpp"
 
 namespace membrane {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 
 namespace membrane {
 namespace {

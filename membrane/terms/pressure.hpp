@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 #include "membrane/terms/term.hpp"
 
 namespace membrane {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "membrane/kinematics.hpp"
+#include "membrane/terms/kinematics.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/laws/tension_field.hpp"
 

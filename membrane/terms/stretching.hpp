@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "membrane/laws/list.hpp"
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 #include "membrane/terms/term.hpp"
 
 namespace membrane {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "membrane/hessian.hpp"
+#include "membrane/terms/hessian.hpp"
 
 namespace membrane {
 

@@ -1,4 +1,4 @@
-#include "atomistic/card.hpp"
+#include "atomistic/cell/card.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <ostream>
 #include <utility>
 
-#include "compare/errors.hpp"
+#include "compare/base/errors.hpp"
 #include "tests/atomistic/lammps_session.hpp"
 
 namespace {
@@ -63,7 +63,7 @@ TEST_P(KimCardOf, EqualsLammpsOwn) {
   std::optional<Potential> model;
   try {
     model = potential(kim);
-  } catch (const compare::Error& error) {
+  } catch (const validate::Error& error) {
     GTEST_SKIP() << error.what();
   }
   const Card a = compute_card(*model, "none"), b = compute_card(potential(own), "none");
@@ -81,7 +81,7 @@ TEST(KimCard, OfANeuralNetwork) {
   std::optional<Potential> model;
   try {
     model = potential("kim/hnn-2019");
-  } catch (const compare::Error& error) {
+  } catch (const validate::Error& error) {
     GTEST_SKIP() << error.what();
   }
   const Card card = compute_card(*model, "none");

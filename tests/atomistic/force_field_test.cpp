@@ -1,11 +1,11 @@
-#include "atomistic/lammps.hpp"
+#include "atomistic/lammps/lammps.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "atomistic/sheet.hpp"
+#include "atomistic/lattice/sheet.hpp"
 #include "tests/atomistic/lammps_session.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "atomistic/guide.hpp"
+#include "atomistic/equilibrium/guide.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "atomistic/indentation.hpp"
+#include "atomistic/equilibrium/indentation.hpp"
 
 #include <gtest/gtest.h>
 

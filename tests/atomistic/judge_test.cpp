@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "atomistic/data_file.hpp"
+#include "atomistic/protocol/data_file.hpp"
 #include "atomistic/loads/load_term.hpp"
 #include "tests/atomistic/paths.hpp"
 #include "tests/atomistic/plain_lammps.hpp"

@@ -1,7 +1,7 @@
 // MPI lives as long as the test program.
 #include <gtest/gtest.h>
 
-#include "atomistic/lammps.hpp"
+#include "atomistic/lammps/lammps.hpp"
 #include "tests/atomistic/lammps_session.hpp"
 
 namespace {

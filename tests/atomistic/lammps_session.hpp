@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "atomistic/card.hpp"
-#include "atomistic/lammps.hpp"
-#include "compare/potential_file.hpp"
+#include "atomistic/cell/card.hpp"
+#include "atomistic/lammps/lammps.hpp"
+#include "compare/input/potential_file.hpp"
 
 const atomistic::MpiSession& lammps_session();
 
 inline atomistic::Potential potential(const std::string& name) {
-  return compare::read_potential(name, VALIDATE_SOURCE_INPUTS "/potentials", "test").potential;
+  return validate::read_potential(name, VALIDATE_SOURCE_INPUTS "/potentials", "test").potential;
 }
 
 /// Every potential that the project ships.
 inline std::vector<std::string> shipped_potentials() {
-  return compare::available_potentials(VALIDATE_SOURCE_INPUTS "/potentials");
+  return validate::available_potentials(VALIDATE_SOURCE_INPUTS "/potentials");
 }
 
 /// A potential's name as GoogleTest allows it.

@@ -1,4 +1,4 @@
-#include "atomistic/minimiser.hpp"
+#include "atomistic/equilibrium/minimiser.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "atomistic/newton_krylov.hpp"
+#include "atomistic/equilibrium/newton_krylov.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "atomistic/indentation.hpp"
+#include "atomistic/equilibrium/indentation.hpp"
 #include "tests/atomistic/lammps_session.hpp"
 
 const atomistic::Card& card_of(const std::string& name);  ///< computed once

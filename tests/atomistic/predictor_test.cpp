@@ -1,4 +1,4 @@
-#include "atomistic/predictor.hpp"
+#include "atomistic/equilibrium/predictor.hpp"
 
 #include <gtest/gtest.h>
 

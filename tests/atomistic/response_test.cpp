@@ -1,11 +1,11 @@
-#include "atomistic/response.hpp"
+#include "atomistic/cell/response.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "atomistic/homogeneous_cell.hpp"
+#include "atomistic/cell/homogeneous_cell.hpp"
 #include "tests/atomistic/paths.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "atomistic/rounded_factor.hpp"
+#include "atomistic/equilibrium/rounded_factor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "atomistic/sheet.hpp"
+#include "atomistic/lattice/sheet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "atomistic/ripple.hpp"
+#include "atomistic/lattice/ripple.hpp"
 
 namespace {
 

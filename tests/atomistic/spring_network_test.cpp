@@ -1,4 +1,4 @@
-#include "atomistic/spring_network.hpp"
+#include "atomistic/equilibrium/spring_network.hpp"
 
 #include <gtest/gtest.h>
 

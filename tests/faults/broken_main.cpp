@@ -4,19 +4,19 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "compare/commands/verify.hpp"
-#include "compare/errors.hpp"
+#include "compare/cli/verify.hpp"
+#include "compare/base/errors.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("validate verify with faults", "validate_broken");
   int exit_code = 0;
-  compare::add_verify(app, exit_code);
+  validate::add_verify(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& problem) {
     return app.exit(problem);
-  } catch (const compare::Error& error) {
+  } catch (const validate::Error& error) {
     fmt::print(stderr, "{}\n", error.what());
     return static_cast<int>(error.exit_code());
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #define VALIDATE_FAULTS  // the names of the faults
-#include "membrane/fault.hpp"
+#include "membrane/base/fault.hpp"
 #include "tests/cli/run_program.hpp"
 
 namespace {

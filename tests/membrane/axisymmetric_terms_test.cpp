@@ -6,9 +6,9 @@
 #include <functional>
 #include <random>
 
-#include "membrane/axisymmetric/assembly.hpp"
-#include "membrane/axisymmetric/mesh.hpp"
-#include "membrane/axisymmetric/setup.hpp"
+#include "membrane/meridian/assembly.hpp"
+#include "membrane/meridian/mesh.hpp"
+#include "membrane/meridian/setup.hpp"
 #include "states.hpp"
 #include "taylor.hpp"
 

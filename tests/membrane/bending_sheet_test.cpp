@@ -6,7 +6,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "membrane/axisymmetric/sheet.hpp"
+#include "membrane/meridian/sheet.hpp"
 #include "membrane/bending/bending.hpp"
 #include "plate_meshes.hpp"
 #include "plate_solver.hpp"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "membrane/axisymmetric/sheet.hpp"
+#include "membrane/meridian/sheet.hpp"
 #include "membrane/bending/term.hpp"
 #include "membrane/loads/pattern.hpp"
-#include "membrane/newton.hpp"
+#include "membrane/triangles/newton.hpp"
 #include "membrane/sheets/sheet.hpp"
 #include "membrane/terms/stretching.hpp"
 #include "taylor.hpp"

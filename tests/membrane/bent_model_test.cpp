@@ -7,8 +7,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "membrane/axisymmetric/sheet.hpp"
-#include "membrane/model.hpp"
+#include "membrane/meridian/sheet.hpp"
+#include "membrane/triangles/model.hpp"
 #include "membrane/problem.hpp"
 #include "taylor.hpp"
 

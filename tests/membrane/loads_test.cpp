@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "compare/verify/reference_numbers.hpp"
-#include "membrane/fields.hpp"
+#include "membrane/triangles/fields.hpp"
 #include "solved_path.hpp"
 
 namespace membrane {

@@ -1,13 +1,13 @@
 // Newton on one sheet: balance of forces, equal answers of both controls, quadratic end.
-#include "membrane/newton.hpp"
+#include "membrane/triangles/newton.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "membrane/model.hpp"
-#include "membrane/start.hpp"
+#include "membrane/triangles/model.hpp"
+#include "membrane/triangles/start.hpp"
 
 namespace membrane {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "membrane/bending/bending.hpp"
-#include "membrane/kinematics.hpp"
+#include "membrane/terms/kinematics.hpp"
 #include "membrane/laws/st_venant_kirchhoff.hpp"
-#include "membrane/mesh.hpp"
+#include "membrane/sheets/mesh.hpp"
 #include "plate_meshes.hpp"
 
 namespace membrane::testing {

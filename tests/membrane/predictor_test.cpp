@@ -1,5 +1,5 @@
 // The guess of the next equilibrium, on paths whose form is known.
-#include "membrane/predictor.hpp"
+#include "membrane/triangles/predictor.hpp"
 
 #include <gtest/gtest.h>
 

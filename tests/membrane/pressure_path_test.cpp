@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/verify/reference_numbers.hpp"
-#include "membrane/axisymmetric/sheet.hpp"
+#include "membrane/meridian/sheet.hpp"
 #include "solved_path.hpp"
 
 namespace membrane {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "membrane/axisymmetric/sheet.hpp"
+#include "membrane/meridian/sheet.hpp"
 
 namespace membrane::axisymmetric::testing {
 

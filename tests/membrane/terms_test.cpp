@@ -13,7 +13,7 @@
 #include "membrane/terms/obstacles.hpp"
 #include "membrane/terms/pressure.hpp"
 #include "membrane/terms/stretching.hpp"
-#include "membrane/total_energy.hpp"
+#include "membrane/terms/total_energy.hpp"
 #include "taylor.hpp"
 
 namespace membrane::testing {

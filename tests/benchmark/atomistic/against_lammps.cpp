@@ -12,7 +12,7 @@
 #include <fstream>
 #include <string>
 
-#include "atomistic/data_file.hpp"
+#include "atomistic/protocol/data_file.hpp"
 #include "atomistic/loads/load_term.hpp"
 #include "tests/atomistic/plain_lammps.hpp"
 #include "tests/benchmark/atomistic/support.hpp"

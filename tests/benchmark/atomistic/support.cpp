@@ -5,13 +5,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "atomistic/card.hpp"
+#include "atomistic/cell/card.hpp"
 #include "atomistic/protocol/math_threads.hpp"
-#include "atomistic/response.hpp"
-#include "compare/calibration/calibrated_law.hpp"
-#include "compare/calibration/states.hpp"
-#include "compare/pairing.hpp"
-#include "compare/potential_file.hpp"
+#include "atomistic/cell/response.hpp"
+#include "compare/potential/law/calibrated_law.hpp"
+#include "compare/potential/law/states.hpp"
+#include "compare/pairing/pairing.hpp"
+#include "compare/input/potential_file.hpp"
 
 namespace benchmark_support {
 
@@ -28,24 +28,24 @@ Load load_of(const std::string& name, double radius_A) {
   return loads.at(name);
 }
 
-const compare::CalibratedLaw& law(const std::string& name) {
-  static std::map<std::string, compare::CalibratedLaw> laws;
+const validate::CalibratedLaw& law(const std::string& name) {
+  static std::map<std::string, validate::CalibratedLaw> laws;
   if (!laws.contains(name)) {
     const Card& c = card(name);
-    laws[name] = compare::calibrate(
-        c, compute_response(potential(name), c, compare::calibration_strains(c.bond_A()), "none").states);
+    laws[name] = validate::calibrate(
+        c, compute_response(potential(name), c, validate::calibration_strains(c.bond_A()), "none").states);
   }
   return laws[name];
 }
 
 /// The shapes that the comparison hands over, too.
 std::vector<Guide> guides(const Problem& problem, const std::string& name, const std::string& load) {
-  compare::Case c;
+  validate::Case c;
   c.radius_A = problem.radius_A;
   c.tip_radius_A = load == "sphere" ? problem.radius_A / 4 : problem.radius_A / 11;
-  const compare::PairedSheet pair(c, problem.potential, problem.card);
-  return compare::guides_from(compare::calibrated_experiment(c, problem.card, law(name), pair, load, problem.levels,
-                                                             compare::Model::sheet, problem.potential.artefact_bond_A)
+  const validate::PairedSheet pair(c, problem.potential, problem.card);
+  return validate::guides_from(validate::calibrated_experiment(c, problem.card, law(name), pair, load, problem.levels,
+                                                             validate::Model::sheet, problem.potential.artefact_bond_A)
                                   .problem);
 }
 
@@ -58,9 +58,9 @@ std::vector<std::string> split(const std::string& comma_separated) {
   return parts;
 }
 
-std::vector<std::string> shipped_potentials() { return compare::available_potentials(folder); }
+std::vector<std::string> shipped_potentials() { return validate::available_potentials(folder); }
 
-Potential potential(const std::string& name) { return compare::read_potential(name, folder, "benchmark").potential; }
+Potential potential(const std::string& name) { return validate::read_potential(name, folder, "benchmark").potential; }
 
 const Card& card(const std::string& name) {
   static std::map<std::string, Card> cards;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "atomistic/indentation.hpp"
+#include "atomistic/equilibrium/indentation.hpp"
 
 namespace benchmark_support {
 

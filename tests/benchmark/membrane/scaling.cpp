@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-#include "membrane/factor.hpp"
-#include "membrane/model.hpp"
+#include "membrane/triangles/factor.hpp"
+#include "membrane/triangles/model.hpp"
 #include "tests/benchmark/membrane/record_problem.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/case_file.hpp"
+#include "compare/input/case_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 using compare_tests::expect_refusal;
 using compare_tests::TemporaryFolder;
 

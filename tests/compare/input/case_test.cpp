@@ -1,4 +1,4 @@
-#include "compare/case.hpp"
+#include "compare/input/case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 using compare_tests::expect_refusal;
 
 Case changed(const std::function<void(Case&)>& change) {

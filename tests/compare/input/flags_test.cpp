@@ -1,4 +1,4 @@
-#include "compare/commands/flags.hpp"
+#include "compare/cli/flags.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 using compare_tests::expect_refusal;
 
 struct Parsed {

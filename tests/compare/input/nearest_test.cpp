@@ -1,4 +1,4 @@
-#include "compare/nearest.hpp"
+#include "compare/base/nearest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 
 constexpr std::array<std::string_view, 5> names = {"radius", "tip-radius", "depth-max", "depth-step", "nu"};
 

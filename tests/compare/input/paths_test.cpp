@@ -1,4 +1,4 @@
-#include "compare/paths.hpp"
+#include "compare/base/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 using compare_tests::Environment;
 using compare_tests::expect_refusal;
 using compare_tests::TemporaryFolder;

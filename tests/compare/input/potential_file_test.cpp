@@ -1,16 +1,16 @@
-#include "compare/potential_file.hpp"
+#include "compare/input/potential_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "compare/sha256.hpp"
+#include "compare/base/sha256.hpp"
 #include "tests/compare/input/support.hpp"
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 using compare_tests::Environment;
 using compare_tests::expect_refusal;
 using compare_tests::TemporaryFolder;

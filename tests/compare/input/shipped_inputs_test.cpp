@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include "compare/case_file.hpp"
-#include "compare/potential_file.hpp"
+#include "compare/input/case_file.hpp"
+#include "compare/input/potential_file.hpp"
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 namespace fs = std::filesystem;
 
 const fs::path inputs = fs::path(VALIDATE_SOURCE_INPUTS).lexically_normal();

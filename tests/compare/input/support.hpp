@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/errors.hpp"
+#include "compare/base/errors.hpp"
 
 namespace compare_tests {
 
@@ -64,13 +64,13 @@ class Environment {
   bool was_set_;
 };
 
-/// Expects compare::Error with this exit code and a message that holds every one of the words.
+/// Expects validate::Error with this exit code and a message that holds every one of the words.
 template <class Action>
 void expect_refusal(Action&& action, const std::vector<std::string>& words,
-                    compare::ExitCode code = compare::ExitCode::bad_input) {
+                    validate::ExitCode code = validate::ExitCode::bad_input) {
   try {
     action();
-  } catch (const compare::Error& error) {
+  } catch (const validate::Error& error) {
     const std::string message = error.what();
     EXPECT_EQ(error.exit_code(), code) << message;
     for (const std::string& word : words) {

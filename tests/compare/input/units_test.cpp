@@ -1,17 +1,17 @@
-#include "compare/units.hpp"
+#include "compare/base/units.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "compare/describe.hpp"
-#include "compare/field_value.hpp"
+#include "compare/base/describe.hpp"
+#include "compare/base/field_value.hpp"
 #include "tests/compare/input/support.hpp"
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 using compare_tests::expect_refusal;
 
 struct Example {

@@ -1,18 +1,18 @@
-#include "compare/agreement.hpp"
+#include "compare/verdict/agreement.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 
 // a = 100 Å, so depth/a is the depth in per cent. The membrane is F = (depth/10)³ at other depths than the
 // atoms'.
 Run membrane() {
-  compare::Run run;
+  validate::Run run;
   run.load = "disc";
   run.constants = Constants::card;
   run.a_A = 100;
@@ -25,7 +25,7 @@ Run membrane() {
 }
 
 Run atoms(const std::vector<double>& depths, const std::vector<double>& ratios) {
-  compare::Run run;
+  validate::Run run;
   run.model = Model::atomistic;
   run.load = "disc";
   run.a_A = 100;
@@ -58,7 +58,7 @@ Result result_with_sheet(const Run& atomistic) {
   return result;
 }
 
-Run with_bonds(compare::Run run, const std::vector<double>& bonds) {
+Run with_bonds(validate::Run run, const std::vector<double>& bonds) {
   run.longest_bond_A = bonds;
   return run;
 }
@@ -97,7 +97,7 @@ TEST(Agreement, BeyondTheToleranceFails) {
 }
 
 TEST(Agreement, UsesTheAtomsRadiusTheCasesWindowAndLoad) {
-  compare::Run wider = atoms({5, 10, 20, 31}, {1, 1, 1, 1});
+  validate::Run wider = atoms({5, 10, 20, 31}, {1, 1, 1, 1});
   wider.a_A = 200;  // window 20 … 30 Å
   Result result = result_with(wider);
   result.runs[1].depth_A.back() = 40;
@@ -124,7 +124,7 @@ std::string reason_for(Result result) {
 }
 
 TEST(Agreement, APathThatEndedEarlyGivesNoVerdict) {
-  compare::Run short_path = atoms({8, 10, 12}, {1, 1, 1});
+  validate::Run short_path = atoms({8, 10, 12}, {1, 1, 1});
   short_path.ended = Ended::rupture;
   EXPECT_EQ(reason_for(result_with(short_path)),
             "the atoms' curve ends at depth/a = 0.120 (rupture), the window at 0.150");
@@ -132,7 +132,7 @@ TEST(Agreement, APathThatEndedEarlyGivesNoVerdict) {
             "the atoms' curve begins at depth/a = 0.110, the window at 0.100");
   EXPECT_EQ(reason_for(result_with(atoms({}, {}))), "the atoms' curve has no usable point");
 
-  compare::Run artefact = atoms({8, 10, 12, 15}, {1, 1, 1, 1});
+  validate::Run artefact = atoms({8, 10, 12, 15}, {1, 1, 1, 1});
   artefact.artefact.back() = true;
   artefact.ended = Ended::artefact;
   EXPECT_EQ(reason_for(result_with(artefact)),
@@ -152,7 +152,7 @@ TEST(Agreement, AMembraneThatDoesNotCoverTheDepthsGivesNoVerdict) {
 
 TEST(Agreement, TheSheetsWindowEndsWhereTheBondIsTooLong) {
   // Below 0.03 and from 1.65 Å on nothing is judged.
-  compare::Run run = with_bonds(atoms({2, 3, 10, 20, 22, 24}, {2, 1.004, 0.995, 1.002, 1.003, 2}),
+  validate::Run run = with_bonds(atoms({2, 3, 10, 20, 22, 24}, {2, 1.004, 0.995, 1.002, 1.003, 2}),
                                 {1.40, 1.41, 1.45, 1.55, 1.60, 1.70});
   run.ended = Ended::artefact;
   run.artefact.back() = true;
@@ -167,7 +167,7 @@ TEST(Agreement, TheSheetsWindowEndsWhereTheBondIsTooLong) {
 }
 
 TEST(Agreement, APathToItsLargestDepthIsJudgedToThere) {
-  compare::Run run = with_bonds(atoms({2.9, 10, 20}, {1, 1, 1.02}), {1.40, 1.45, 1.50});
+  validate::Run run = with_bonds(atoms({2.9, 10, 20}, {1, 1, 1.02}), {1.40, 1.45, 1.50});
   run.ended = Ended::depth_max;
   Result result = result_with_sheet(run);
   judge(result);
@@ -190,19 +190,19 @@ TEST(Agreement, WithoutACalibratedLawTheReasonIsTold) {
 }
 
 TEST(Agreement, DepthAtABondIsInterpolated) {
-  const compare::Run run = with_bonds(atoms({1, 2, 3}, {1, 1, 1}), {1.40, 1.50, 1.70});
+  const validate::Run run = with_bonds(atoms({1, 2, 3}, {1, 1, 1}), {1.40, 1.50, 1.70});
   EXPECT_NEAR(*depth_at_bond(run, 1.55), 2.25, 1e-12);
   EXPECT_EQ(depth_at_bond(run, 1.80), std::nullopt);
   EXPECT_EQ(depth_at_bond(atoms({1, 2}, {1, 1}), 1.5), std::nullopt);
 }
 
 TEST(Comparison, HoldsTheCalibratedContinuaBesideTheMembrane) {
-  compare::Run run = with_bonds(atoms({5, 15}, {1.2, 0.9}), {1.4, 1.5});
+  validate::Run run = with_bonds(atoms({5, 15}, {1.2, 0.9}), {1.4, 1.5});
   run.energy_eV = {1, 1};
   Result result = result_with_sheet(run);
-  for (compare::Run& r : result.runs) r.energy_eV.assign(r.depth_A.size(), 1);
+  for (validate::Run& r : result.runs) r.energy_eV.assign(r.depth_A.size(), 1);
   for (double& f : result.runs[2].force_eV_per_A) f *= 1.2;
-  compare::Run& sheet = result.runs[2];
+  validate::Run& sheet = result.runs[2];
   for (const double d : sheet.depth_A) sheet.longest_bond_A.push_back(1.40 + 0.02 * d);
   compare_curves(result);
   ASSERT_EQ(result.comparisons.size(), 1u);
@@ -213,10 +213,10 @@ TEST(Comparison, HoldsTheCalibratedContinuaBesideTheMembrane) {
 }
 
 TEST(Comparison, GivesRatiosAndRegimesPerDepth) {
-  compare::Run stiff = atoms({5, 10, 15, 20, 25}, {1.30, 1.10, 1.00, 0.90, 0.80});
+  validate::Run stiff = atoms({5, 10, 15, 20, 25}, {1.30, 1.10, 1.00, 0.90, 0.80});
   stiff.artefact.back() = true;
   for (std::size_t i = 0; i < 5; ++i) stiff.energy_eV.push_back(1.5 * std::pow(stiff.depth_A[i], 4));
-  compare::Run twin = membrane();
+  validate::Run twin = membrane();
   for (const double d : twin.depth_A) twin.energy_eV.push_back(std::pow(d, 4));
   Result result;
   result.runs = {stiff, twin};

@@ -1,4 +1,4 @@
-#include "compare/calibration/calibrated_law.hpp"
+#include "compare/potential/law/calibrated_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "compare/calibration/linear_fit.hpp"
-#include "compare/calibration/states.hpp"
-#include "compare/calibration/variants.hpp"
+#include "compare/potential/law/linear_fit.hpp"
+#include "compare/potential/law/states.hpp"
+#include "compare/potential/law/variants.hpp"
 
-namespace compare {
+namespace validate {
 namespace {
 
 constexpr double bond_A = 1.42;
@@ -148,4 +148,4 @@ TEST(Calibration, TheSixfoldFormFindsADirection) {
 }
 
 }  // namespace
-}  // namespace compare
+}  // namespace validate

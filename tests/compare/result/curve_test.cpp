@@ -1,11 +1,11 @@
-#include "compare/curve.hpp"
+#include "compare/fitting/curve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-using compare::Curve;
+using validate::Curve;
 
 namespace {
 
@@ -55,7 +55,7 @@ TEST(Curve, RefusesWhatHasNoLogarithm) {
 }
 
 TEST(Curve, OfARunUsesItsUsablePoints) {
-  compare::Run run;
+  validate::Run run;
   run.depth_A = {1, 2, 3, 4};
   run.force_eV_per_A = {1, 8, 1000, 64};
   run.converged = {true, true, false, true};

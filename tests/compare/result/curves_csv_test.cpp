@@ -1,4 +1,4 @@
-#include "compare/outputs/curves_csv.hpp"
+#include "compare/documents/texts/curves_csv.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/compare/result/sample_result.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 
@@ -57,7 +57,7 @@ TEST(CurvesCsv, OneRowPerRunAndDepth) {
   const Table table = parse(curves_csv(result));
   std::size_t row = 0;
   for (std::size_t r = 0; r < result.runs.size(); ++r) {
-    const compare::Run& run = result.runs[r];
+    const validate::Run& run = result.runs[r];
     for (std::size_t i = 0; i < run.depth_A.size(); ++i, ++row) {
       ASSERT_LT(row, table.rows.size());
       const Row& cells = table.rows[row];

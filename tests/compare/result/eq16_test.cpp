@@ -1,13 +1,13 @@
-#include "compare/models/eq16.hpp"
+#include "compare/fitting/models/eq16.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "compare/units.hpp"
+#include "compare/base/units.hpp"
 
-using compare::Eq16;
+using validate::Eq16;
 
 // Depths at which Eq. 16 reaches a force, from bisection: inverse of a monotone function.
 static double depth_at(const Eq16& model, double force, double Eh, double pretension) {
@@ -26,8 +26,8 @@ TEST(Eq16, ReachesTheDepthsOfThePapersCases) {
   EXPECT_NEAR(depth_at(case_2, 20, 5.864 * 1.37, 0), 31.604, 5e-4);
 
   const Eq16 case_1{5000, 0.165};
-  const double force = 1500 / compare::nN_per_eV_per_A;
-  const double Eh = 342 / compare::N_per_m_per_eV_per_A2, pretension = 0.34 / compare::N_per_m_per_eV_per_A2;
+  const double force = 1500 / validate::nN_per_eV_per_A;
+  const double Eh = 342 / validate::N_per_m_per_eV_per_A2, pretension = 0.34 / validate::N_per_m_per_eV_per_A2;
   EXPECT_NEAR(depth_at(case_1, force, Eh, pretension), 1026.4, 5e-2);
 }
 

@@ -1,14 +1,14 @@
-#include "compare/explanation.hpp"
+#include "compare/verdict/explanation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace compare {
+namespace validate {
 namespace {
 
-compare::Run cubic(double stiffness, const std::vector<double>& depths) {
-  compare::Run run;
+validate::Run cubic(double stiffness, const std::vector<double>& depths) {
+  validate::Run run;
   run.load = "disc";
   run.a_A = 100;
   for (const double d : depths) {
@@ -22,8 +22,8 @@ compare::Run cubic(double stiffness, const std::vector<double>& depths) {
 
 TEST(Explanation, SharesAddUpToTheWholeDifference) {
   const std::vector<double> grid = {1, 4, 9, 16, 25};
-  const compare::Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid), law = cubic(1.1, grid);
-  compare::Run atoms = cubic(1.15, {2, 8, 20, 30});
+  const validate::Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid), law = cubic(1.1, grid);
+  validate::Run atoms = cubic(1.15, {2, 8, 20, 30});
   atoms.artefact = {false, false, true, false};
   const auto found = explain(atoms, {&plain, &paired, &bending, &law}, {{2, 4, 20}, {1.01, 1.02, 1.06}});
   ASSERT_TRUE(found);
@@ -40,7 +40,7 @@ TEST(Explanation, SharesAddUpToTheWholeDifference) {
 }
 
 TEST(Explanation, NeedsEveryStage) {
-  const compare::Run curve = cubic(1, {1, 5, 9}), nothing = cubic(1, {});
+  const validate::Run curve = cubic(1, {1, 5, 9}), nothing = cubic(1, {});
   EXPECT_FALSE(explain(curve, {&curve, &curve, &nothing, &curve}, {}));
   const auto found = explain(curve, {&curve, &curve, &curve, &curve}, {});
   ASSERT_TRUE(found);
@@ -49,4 +49,4 @@ TEST(Explanation, NeedsEveryStage) {
 }
 
 }  // namespace
-}  // namespace compare
+}  // namespace validate

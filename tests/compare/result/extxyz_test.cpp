@@ -1,4 +1,4 @@
-#include "compare/outputs/extxyz.hpp"
+#include "compare/documents/bytes/extxyz.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "compare/outputs/figure.hpp"
+#include "compare/documents/plots/figure.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -9,13 +9,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "compare/errors.hpp"
-#include "compare/outputs/figure_commands.hpp"
-#include "compare/outputs/gnuplot.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/documents/plots/figure_commands.hpp"
+#include "compare/documents/plots/gnuplot.hpp"
 #include "tests/compare/result/sample_result.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

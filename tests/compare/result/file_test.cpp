@@ -1,13 +1,13 @@
-#include "compare/outputs/file.hpp"
+#include "compare/base/file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "compare/errors.hpp"
+#include "compare/base/errors.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

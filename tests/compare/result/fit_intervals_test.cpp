@@ -1,13 +1,13 @@
-#include "compare/fit_intervals.hpp"
+#include "compare/fitting/fit_intervals.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "compare/models/eq16.hpp"
+#include "compare/fitting/models/eq16.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "compare/fit.hpp"
+#include "compare/fitting/fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <limits>
 #include <random>
 
-#include "compare/models/eq16.hpp"
-#include "compare/run_fit.hpp"
-#include "compare/units.hpp"
+#include "compare/fitting/models/eq16.hpp"
+#include "compare/fitting/run_fit.hpp"
+#include "compare/base/units.hpp"
 #include "tests/compare/result/sample_result.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 
@@ -139,7 +139,7 @@ TEST(LeastSquares, SaysWhyThereIsNoSolution) {
 }
 
 Run exact_run() {
-  compare::Run run;
+  validate::Run run;
   run.a_A = 110;
   run.nu = 0.165;
   run.depth_A = depths();
@@ -151,7 +151,7 @@ Run exact_run() {
 }
 
 TEST(FitRun, RecoversTheConstantsOfAnExactCurve) {
-  compare::Run run = exact_run();
+  validate::Run run = exact_run();
   fit_run(run);
   ASSERT_TRUE(run.fit) << run.fit_skipped;
   EXPECT_NEAR(run.fit->Eh_eV_per_A2, true_Eh, 1e-9);
@@ -167,7 +167,7 @@ TEST(FitRun, RecoversTheConstantsOfAnExactCurve) {
 }
 
 TEST(FitRun, LeavesOutArtefactsAndWhatDidNotConverge) {
-  compare::Run run = exact_run();
+  validate::Run run = exact_run();
   run.model = Model::atomistic;
   run.artefact.assign(12, false);
   run.artefact[11] = true;
@@ -183,7 +183,7 @@ TEST(FitRun, LeavesOutArtefactsAndWhatDidNotConverge) {
 }
 
 TEST(FitRun, RmsIsOverTheLargestForce) {
-  compare::Run run = exact_run();
+  validate::Run run = exact_run();
   for (std::size_t i = 0; i < 12; ++i) run.force_eV_per_A[i] += i % 2 ? 0.01 : -0.01;
   fit_run(run);
   ASSERT_TRUE(run.fit) << run.fit_skipped;
@@ -191,7 +191,7 @@ TEST(FitRun, RmsIsOverTheLargestForce) {
 }
 
 TEST(FitRun, UnderFourPointsThereIsAReasonInstead) {
-  compare::Run run = exact_run();
+  validate::Run run = exact_run();
   run.model = Model::atomistic;
   run.artefact.assign(12, true);
   for (const int i : {0, 1, 2}) run.artefact[i] = false;
@@ -206,7 +206,7 @@ TEST(FitRun, UnderFourPointsThereIsAReasonInstead) {
 }
 
 TEST(FitRun, WithoutKnownConstantsThereIsAReasonInstead) {
-  compare::Run run = exact_run();
+  validate::Run run = exact_run();
   run.nu = not_known;  // the card failed
   fit_run(run);
   EXPECT_FALSE(run.fit);

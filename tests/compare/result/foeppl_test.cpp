@@ -1,12 +1,12 @@
 // The shallow disc against closed forms and published coefficients.
-#include "compare/models/foeppl.hpp"
+#include "compare/fitting/models/foeppl.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-using namespace compare;
+using namespace validate;
 using std::numbers::pi;
 
 namespace {

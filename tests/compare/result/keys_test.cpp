@@ -1,10 +1,10 @@
-#include "compare/outputs/keys.hpp"
+#include "compare/results/keys.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-using namespace compare;
+using namespace validate;
 
 TEST(Keys, CarryTheUnit) {
   EXPECT_EQ(key(Field{"depth", unit::length}), "depth_A");

@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "compare/errors.hpp"
-#include "compare/fit_warnings.hpp"
-#include "compare/measured_curve.hpp"
-#include "compare/measured_fit.hpp"
-#include "compare/units.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/fitting/fit_warnings.hpp"
+#include "compare/input/measured_curve.hpp"
+#include "compare/fitting/measured_fit.hpp"
+#include "compare/base/units.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The membrane itself fitted to synthetic curves whose E·h and pretension are known.
-#include "compare/membrane_fit.hpp"
+#include "compare/fitting/membrane_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <random>
 #include <variant>
 
-#include "compare/models/eq16.hpp"
-#include "compare/models/list.hpp"
-#include "compare/run_fit.hpp"
-#include "compare/units.hpp"
+#include "compare/fitting/models/eq16.hpp"
+#include "compare/fitting/models/list.hpp"
+#include "compare/fitting/run_fit.hpp"
+#include "compare/base/units.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

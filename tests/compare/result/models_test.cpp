@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/errors.hpp"
-#include "compare/models/list.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/fitting/models/list.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

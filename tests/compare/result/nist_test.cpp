@@ -7,11 +7,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "compare/fit.hpp"
+#include "compare/fitting/fit.hpp"
 
 namespace {
 
-using compare::AnyCurveModel;
+using validate::AnyCurveModel;
 
 struct Problem {
   std::string name;
@@ -117,7 +117,7 @@ TEST_P(Nist, ReachesTheCertifiedValues) {
   const Data data = read(problem.name);
   ASSERT_GT(data.x.size(), 10u);
   const auto report =
-      compare::least_squares(problem.model, data.x, data.y, problem.starts[start],
+      validate::least_squares(problem.model, data.x, data.y, problem.starts[start],
                              {.weights = {}, .geodesic_acceleration = geodesic, .max_iterations = 1000});
   ASSERT_TRUE(report.converged) << report.reason;
   for (std::size_t i = 0; i < problem.certified.size(); ++i) {

@@ -1,12 +1,12 @@
-#include "compare/outputs/outputs.hpp"
+#include "compare/documents/outputs.hpp"
 
 #include <gtest/gtest.h>
 
-#include "compare/errors.hpp"
+#include "compare/base/errors.hpp"
 #include "tests/compare/result/sample_result.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 TEST(Outputs, WritesEveryDocument) {
   const TemporaryFolder folder;

@@ -4,16 +4,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "compare/errors.hpp"
-#include "compare/outputs/html.hpp"
-#include "compare/outputs/report_html.hpp"
-#include "compare/outputs/run_h5.hpp"
-#include "compare/outputs/run_h5_read.hpp"
-#include "compare/outputs/summary_json.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/documents/bytes/html.hpp"
+#include "compare/documents/texts/report_html.hpp"
+#include "compare/documents/run_h5.hpp"
+#include "compare/documents/run_h5_read.hpp"
+#include "compare/documents/texts/summary_json.hpp"
 #include "tests/compare/result/sample_result.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

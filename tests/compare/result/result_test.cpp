@@ -1,13 +1,13 @@
-#include "compare/result.hpp"
+#include "compare/results/result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-using namespace compare;
+using namespace validate;
 
 TEST(Result, UsablePointsConvergedOutsideTheArtefactZoneWithFiniteNumbers) {
-  compare::Run run;
+  validate::Run run;
   run.depth_A = {0, 1, 2, 3, 4, 5};
   run.force_eV_per_A = {0, 1, std::numeric_limits<double>::quiet_NaN(), 3, 4, 5};
   run.converged = {true, true, true, false, true, true};

@@ -1,14 +1,14 @@
 // Reads run.h5 back with the plain C library, as any other program would.
-#include "compare/outputs/run_h5.hpp"
+#include "compare/documents/run_h5.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
-#include "compare/errors.hpp"
+#include "compare/base/errors.hpp"
 #include "tests/compare/result/sample_result.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "compare/agreement.hpp"
-#include "compare/explanation.hpp"
-#include "compare/fit.hpp"
-#include "compare/run_fit.hpp"
+#include "compare/verdict/agreement.hpp"
+#include "compare/verdict/explanation.hpp"
+#include "compare/fitting/fit.hpp"
+#include "compare/fitting/run_fit.hpp"
 
 namespace sample {
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace compare;
+using namespace validate;
 
 atomistic::Sheet square() {
   return atomistic::make_sheet(30, 2.46, 0, 5, {.shape = atomistic::Shape::square, .edge = atomistic::Edge::sliding});

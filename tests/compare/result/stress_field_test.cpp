@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

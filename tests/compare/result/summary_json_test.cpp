@@ -1,16 +1,16 @@
-#include "compare/outputs/summary_json.hpp"
+#include "compare/documents/texts/summary_json.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/errors.hpp"
+#include "compare/base/errors.hpp"
 #include "tests/compare/result/sample_result.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 #include "tests/support/json_schema.hpp"
 
-using namespace compare;
+using namespace validate;
 using nlohmann::json;
 
 namespace {

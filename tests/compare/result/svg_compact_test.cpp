@@ -1,4 +1,4 @@
-#include "compare/outputs/svg_compact.hpp"
+#include "compare/documents/bytes/svg_compact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-using compare::compact_svg;
+using validate::compact_svg;
 
 std::string plot(int number, const std::string& colour, const std::string& points) {
   return "\t<g id=\"gnuplot_plot_" + std::to_string(number) + "a\" ><title>gnuplot_plot</title>\n" +

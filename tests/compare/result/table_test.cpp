@@ -1,4 +1,4 @@
-#include "compare/outputs/table.hpp"
+#include "compare/documents/texts/table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/compare/result/sample_result.hpp"
 
-using namespace compare;
+using namespace validate;
 
 namespace {
 

@@ -1,0 +1,75 @@
+// The path on rank 0: level after level, each predicted from the states before it and minimised.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "atomistic/equilibrium/indentation.hpp"
+#include "atomistic/loads/load_term.hpp"
+#include "atomistic/equilibrium/minimiser.hpp"
+#include "atomistic/equilibrium/preconditioner.hpp"
+#include "atomistic/equilibrium/predictor.hpp"
+
+namespace atomistic {
+
+/// A search that has pulled two neighbours this far apart, or an atom this many radii down, will not bring
+/// them back: no first guess starts there, and what follows is the flight of fragments out of the box.
+constexpr double torn_bond_A = 5.0, torn_depth_of_radius = 2.0;
+
+class Path {
+ public:
+  Path(const Problem& problem, const Sheet& sheet, ForceField& forces, const PathCallbacks& callbacks);
+
+  Report follow(const std::vector<Step>& finished);
+
+ private:
+  /// Where the path goes next: up through the levels, then back if asked for.
+  struct Target {
+    double level;
+    bool unloading;
+  };
+
+  int free_dofs() const { return 3 * sheet_.free_atoms; }
+  Eigen::VectorXd free_positions() const { return positions_.head(free_dofs()); }
+  double tolerance() const { return problem_.force_tolerance_eV_per_A; }
+
+  void relax_flat_sheet();
+  std::optional<Target> next_target();
+  void take_over(const std::vector<Step>& finished);
+  void remember(const Step& step);
+  void factorise(const Eigen::VectorXd& positions);
+  std::optional<Eigen::VectorXd> guide(double level) const;
+  void predict(int number, double level);
+  void meet_constraint(double level);
+  void hold_what_slides(Eigen::VectorXd& gradient) const;
+  Minimisation minimisation();
+  MinimiserReport minimise_level(int number);
+  Step run_level(int number, const Target& target);
+  bool torn() const;
+  double balance(double multiplier);
+  void end_reached(const Step& step);
+  std::optional<ContactCheck> check_contact();
+
+  const Problem& problem_;
+  const Sheet& sheet_;
+  ForceField& force_field_;
+  const PathCallbacks& callbacks_;
+  std::unique_ptr<LoadTerm> load_;
+  Preconditioner preconditioner_;
+  Eigen::VectorXd reference_;  ///< the flat sheet in equilibrium
+  Eigen::VectorXd positions_, atom_forces_, factorised_at_;
+  std::vector<PathState> states_;
+  std::vector<std::pair<double, double>> curve_;  ///< (depth, force) of the same states
+  double flat_energy_ = 0;
+  int loaded_levels_ = 0;              ///< reached while loading
+  std::optional<int> unloading_from_;  ///< level index that unloading goes to next, plus one
+  int factorisations_ = 0, first_evaluations_ = 0;
+  double factor_parameter_ = 0;  ///< path parameter that the factor was made for
+  bool factor_is_tired_ = true;  ///< no factor yet
+  bool fresh_ = true;
+  Report report_;
+};
+
+}  // namespace atomistic

@@ -1,0 +1,39 @@
+// The metric of the minimisation: the spring network's factor with what the load adds to it and gives back.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "atomistic/loads/load_term.hpp"
+#include "atomistic/equilibrium/spring_network.hpp"
+
+namespace atomistic {
+
+class Preconditioner {
+ public:
+  Preconditioner(const Sheet& sheet, const SpringConstants& constants)
+      : sheet_(sheet), network_(sheet, constants) {}
+
+  /// At the positions of all atoms; the load is at its level, or absent.
+  void factorise(const Eigen::VectorXd& positions, LoadTerm* load);
+
+  /// (P − k kᵀ)⁻¹ r by Sherman and Morrison's formula; k is what the load gives back.
+  Eigen::VectorXd solve(const Eigen::VectorXd& r) const;
+
+  /// P⁻¹c, kept until the next factorisation: the load's c is the same on the whole path.
+  const Eigen::VectorXd& constraint_response(const Eigen::VectorXd& c);
+
+  double factor_s() const { return factor_s_; }
+  double solve_s() const { return solve_s_; }
+
+ private:
+  Eigen::VectorXd network_solve(const Eigen::VectorXd& r) const;
+
+  const Sheet& sheet_;
+  SpringNetwork network_;
+  Eigen::VectorXd response_;  ///< P⁻¹k / √(1 − kᵀP⁻¹k); empty: no k
+  Eigen::VectorXd constraint_response_;
+  double factor_s_ = 0;
+  mutable double solve_s_ = 0;
+};
+
+}  // namespace atomistic

@@ -1,0 +1,43 @@
+#include "atomistic/equilibrium/predictor.hpp"
+
+namespace atomistic {
+
+using Eigen::VectorXd;
+
+namespace {
+
+VectorXd scaled(const PathState& state, double t) {
+  const double s = t / state.t;
+  VectorXd u = s * s * state.displacement;
+  for (Eigen::Index z = 2; z < u.size(); z += 3) u[z] = s * state.displacement[z];
+  return u;
+}
+
+}  // namespace
+
+VectorXd extrapolate(const std::vector<PathState>& states, double t) {
+  const std::size_t n = states.size();
+  if (n == 1) return scaled(states[0], t);
+  const std::size_t first = n >= 3 ? n - 3 : 0;  // Lagrange through the newest two or three
+  VectorXd u = VectorXd::Zero(states.back().displacement.size());
+  for (std::size_t i = first; i < n; ++i) {
+    double weight = 1;
+    for (std::size_t j = first; j < n; ++j)
+      if (j != i) weight *= (t - states[j].t) / (states[i].t - states[j].t);
+    u += weight * states[i].displacement;
+  }
+  return u;
+}
+
+VectorXd extrapolate(const std::vector<PathState>& states, double t, const std::optional<VectorXd>& guide) {
+  if (!guide) return extrapolate(states, t);
+  if (states.empty()) return *guide;
+  std::vector<PathState> rest;
+  for (const PathState& state : states) {
+    if (!state.guide) return extrapolate(states, t);
+    rest.push_back({state.t, state.displacement - *state.guide, {}});
+  }
+  return *guide + extrapolate(rest, t);
+}
+
+}  // namespace atomistic

@@ -1,0 +1,97 @@
+// validate-atoms: computes one job through LAMMPS. Started by validate, under mpiexec or alone.
+//
+// Standard output carries one event per line. When its reader is gone the next line cannot be written and
+// every rank ends: nothing runs on without somebody to take the result.
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <exception>
+#include <string>
+#include <system_error>
+
+#include "atomistic/cell/card.hpp"
+#include "atomistic/equilibrium/indentation.hpp"
+#include "atomistic/lammps/lammps.hpp"
+#include "atomistic/protocol/math_threads.hpp"
+#include "atomistic/protocol/event.hpp"
+#include "atomistic/protocol/job.hpp"
+#include "atomistic/protocol/step_file.hpp"
+#include "atomistic/cell/response.hpp"
+
+namespace {
+
+using namespace atomistic;
+
+void tell(const Event& event) {
+  std::cout << to_line(event) << std::endl;
+  if (!std::cout) MpiSession::abort(1);
+}
+
+Fault fault_of(const std::exception& e) {
+  if (dynamic_cast<const BadPotential*>(&e)) return Fault::bad_input;
+  return dynamic_cast<const std::system_error*>(&e) ? Fault::file : Fault::program;
+}
+
+struct Worker {
+  const MpiSession& session;
+  const std::string& log_file;
+
+  /// Its cells are small: rank 0 computes it, whatever number a launcher has started.
+  void operator()(const CardJob& job) const {
+    if (session.rank() != 0) return;
+    tell(CardEvent{compute_card(job.potential, log_file)});
+    tell(EndEvent{});
+  }
+
+  void operator()(const ResponseJob& job) const {
+    if (session.rank() != 0) return;
+    tell(ResponseEvent{compute_response(job.potential, job.card, job.strains, log_file)});
+    tell(EndEvent{});
+  }
+
+  void operator()(const CurveJob& job) const {
+    const PathCallbacks callbacks{.on_step =
+                                      [&](const Step& step) {
+                                        write_step(step, job.steps_folder);
+                                        tell(StepEvent{step.level, step_file_name(step.level).string()});
+                                      },
+                                  .on_progress =
+                                      [](const Progress& p) {
+                                        tell(ProgressEvent{p.level, p.evaluations, p.max_force_eV_per_A});
+                                      }};
+    const auto finished = session.rank() == 0 ? read_finished_steps(job.steps_folder) : std::vector<Step>{};
+    const Report report = follow_path(job.problem, log_file, finished, callbacks, session);
+    if (session.rank() == 0) tell(EndEvent{report});
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  signal(SIGPIPE, SIG_IGN);  // seen as a failed write instead,
+  signal(SIGXFSZ, SIG_IGN);  // and so is a file above the limit
+  MpiSession session(&argc, &argv);
+  use_one_math_thread();
+  const int release = lammps_release();
+  if (argc == 2 && std::string(argv[1]) == "--version") {
+    if (session.rank() == 0) std::cout << release << std::endl;
+    return 0;
+  }
+  if (argc != 2) {
+    std::cerr << "usage: validate-atoms JOB.json (started by validate)\n";
+    return 2;
+  }
+  try {
+    const Job job = read_job(argv[1]);
+    if (session.rank() == 0) tell(StartEvent{release, session.ranks()});
+    std::visit(Worker{session, job.log_file}, job.work);
+    return 0;
+  } catch (const std::exception& e) {
+    if (session.rank() == 0) tell(ErrorEvent{e.what(), fault_of(e)});
+    std::cerr << "validate-atoms: " << e.what() << std::endl;
+    if (session.ranks() > 1) MpiSession::abort(1);
+    return 1;
+  }
+}

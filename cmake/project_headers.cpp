@@ -1,0 +1,1 @@
+// Holds nothing: the headers that every room precompiles once are made for it.

@@ -1,0 +1,43 @@
+#include "compare/base/progress.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace validate {
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() { status(""); }
+
+void Progress::say(std::string_view line) {
+  if (quiet_) return;
+  status("");
+  fmt::print(stderr, "{:6.1f} s  {}\n", elapsed_s(), line);
+}
+
+void Progress::status(std::string_view line) {
+  if (quiet_ || !terminal_ || (line.empty() && !shown_)) return;
+  fmt::print(stderr, "\r\033[K{}", line);
+  std::fflush(stderr);
+  shown_ = !line.empty();
+}
+
+double Progress::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+std::string bar(double fraction) {
+  constexpr int width = 24;
+  const double inside = std::clamp(fraction, 0.0, 1.0);
+  const int full = static_cast<int>(inside * width);
+  return fmt::format("[{}{}] {:3.0f} %", std::string(full, '#'), std::string(width - full, '.'), 100 * inside);
+}
+
+}  // namespace validate

@@ -1,0 +1,240 @@
+#include "compare/cli/fit.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "atomistic/protocol/math_threads.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/base/field_value.hpp"
+#include "compare/base/paths.hpp"
+#include "compare/potential/potential_card.hpp"
+#include "compare/fitting/measured_fit.hpp"
+#include "compare/base/file.hpp"
+#include "compare/documents/texts/measured_report.hpp"
+#include "compare/process/provenance.hpp"
+
+namespace validate {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> tip_names = {"sphere", "disc"};
+constexpr std::array<std::string_view, 3> weight_names = {"uniform", "relative", "sigma"};
+
+/// The flags as they were typed; a key of the file's remarks stands in for one that was not.
+struct FitFlags {
+  std::vector<std::string> files;
+  std::string radius, nu, tip, tip_radius, bending, model = "eq16", weights = "uniform";
+  std::string depth_column, force_column, sigma_column;
+  std::string depth_min, depth_max, baseline, contact;
+  std::string potential, third_order;
+  bool fit_force_zero = false, quiet = false;
+  int bootstrap = 500;
+  unsigned seed = 1;
+  std::string out, json;
+};
+
+/// Value of a flag, or of the remark of the same name in the file.
+struct Given {
+  std::string text, label;
+};
+
+Given given(const std::string& flag, const std::string& value, const MeasuredCurve& curve) {
+  if (!value.empty()) return {value, "--" + flag};
+  const auto remark = curve.remarks.find(flag);
+  if (remark == curve.remarks.end()) return {"", "--" + flag};
+  return {remark->second, fmt::format("{}: remark {}", curve.file.string(), flag)};
+}
+
+double need(const Field& field, const Given& value) {
+  if (value.text.empty())
+    throw bad_input("{}: is needed: {}, as a flag or as a remark '# {}: …' in the file", value.label,
+                    field.meaning, field.name);
+  return parse_number(field, value.text, value.label);
+}
+
+double optional_length(const char* name, const std::string& text, Range range, double otherwise) {
+  return text.empty() ? otherwise
+                      : parse_number(Field{name, unit::length, "", range}, text, fmt::format("--{}", name));
+}
+
+Weighting weighting(const std::string& name) {
+  const std::string chosen = parse_text(Field{.name = "weights", .choices = weight_names}, name, "--weights");
+  return chosen == "relative" ? Weighting::relative
+         : chosen == "sigma"  ? Weighting::sigma
+                              : Weighting::uniform;
+}
+
+/// The card of the potential whose sheet is fitted.
+std::optional<PotentialCard> card_of(const FitFlags& flags) {
+  if (flags.potential.empty()) return std::nullopt;
+  if (!flags.third_order.empty()) throw bad_input("--third-order: the potential of --potential has its own law");
+  const PotentialFile file = read_potential(flags.potential, inputs_folder() / "potentials", "--potential");
+  for (const std::string& warning : file.warnings) spdlog::warn("{}", warning);
+  PotentialCard card = potential_card(file, {.program = atoms_program(), .launcher = {}, .cores = 1}, card_cache(), false);
+  if (!card.law) throw bad_input("--potential: '{}' has no calibrated law: {}", flags.potential, card.no_law);
+  return card;
+}
+
+/// What the sheet that is fitted itself is made of; absent: the paper's membrane.
+std::optional<SheetPhysics> physics_of(const FitFlags& flags, const std::optional<PotentialCard>& card,
+                                       const ModelGeometry& geometry) {
+  if (card) {
+    const double bending = flags.bending.empty() ? card->card.bending_modulus_eV() : geometry.bending_eV;
+    return calibrated_physics(card->law->law, bending, card->potential.potential.name);
+  }
+  if (flags.third_order.empty()) return std::nullopt;
+  const double D = parse_number(Field{"third-order", unit::membrane_force, "", any_number()}, flags.third_order, "--third-order");
+  return third_order_physics(geometry.nu, D, geometry.bending_eV);
+}
+
+MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve, const std::optional<PotentialCard>& card) {
+  MeasuredOptions o;
+  o.geometry.a_A = need(Field{"radius", unit::length, "radius of the suspended sheet", positive()},
+                        given("radius", flags.radius, curve));
+  const Given nu = given("nu", flags.nu, curve);
+  const bool from_card = card && flags.nu.empty();
+  o.geometry.nu = from_card ? card->card.nu() : need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, nu);
+  const Given tip = given("tip-radius", flags.tip_radius, curve);
+  if (!tip.text.empty())
+    o.geometry.tip_A =
+        parse_number(Field{"tip-radius", unit::length, "", not_negative()}, tip.text, tip.label);
+  if (!(o.geometry.tip_A < o.geometry.a_A))
+    throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, o.geometry.tip_A,
+                    o.geometry.a_A);
+  if (!flags.bending.empty())
+    o.geometry.bending_eV =
+        parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
+  o.physics = physics_of(flags, card, o.geometry);
+  o.model = flags.model;
+  const ClosedForm& form = closed_form(o.model, "--model");
+  if (form.pressure) throw bad_input("--model: '{}' gives a pressure, not a force", o.model);
+  const Given shape = given("tip", flags.tip, curve);
+  if (!shape.text.empty())
+    o.sphere = parse_text(Field{.name = "tip", .choices = tip_names}, shape.text, shape.label) == "sphere";
+  if (o.geometry.tip_A > 0 && form.tip != TipShape::none && (form.tip == TipShape::sphere) != o.sphere)
+    throw bad_input("--model: '{}' is for a {}, the tip is a {} (--tip)", o.model, o.sphere ? "disc" : "sphere",
+                    o.sphere ? "sphere" : "disc");
+  if (form.tip == TipShape::sphere && o.geometry.tip_A == 0)
+    throw bad_input("--tip-radius: is needed by the model '{}'", o.model);
+  o.depth_min_A = optional_length("depth-min", flags.depth_min, not_negative(), 0);
+  if (!flags.depth_max.empty()) o.depth_max_A = optional_length("depth-max", flags.depth_max, positive(), 0);
+  if (!flags.baseline.empty()) o.baseline_to_A = optional_length("baseline", flags.baseline, any_number(), 0);
+  o.fit_contact = flags.contact == "fit";
+  if (!o.fit_contact) o.contact_A = optional_length("contact", flags.contact, any_number(), 0);
+  o.fit_force_zero = flags.fit_force_zero;
+  o.fit.weighting = weighting(flags.weights);
+  o.fit.bootstrap_samples = flags.bootstrap;
+  o.fit.seed = flags.seed;
+  return o;
+}
+
+std::string unique_name(const fs::path& file, std::set<std::string>& taken) {
+  const std::string stem = "fit-" + file.stem().string();
+  std::string name = stem;
+  for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}-{}", stem, i);
+  return name;
+}
+
+fs::path output_folder(const std::string& out) {
+  const fs::path folder = out.empty() ? fs::current_path() : fs::path(out);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", out, error.message()));
+  return folder;
+}
+
+void write_document(const nlohmann::ordered_json& document, const std::string& target) {
+  const std::string text =
+      document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  if (target != "-") return write_file(target, text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
+    throw Error(ExitCode::file_failed, "cannot write to stdout");
+}
+
+int fit(const FitFlags& flags) {
+  atomistic::use_one_math_thread();
+  std::vector<MeasuredResult> results;
+  std::vector<MeasuredOptions> options;
+  const std::optional<PotentialCard> card = card_of(flags);
+  for (const std::string& file : flags.files) {  // everything is read and checked before anything is written
+    MeasuredCurve curve = read_measured(file, {flags.depth_column, flags.force_column, flags.sigma_column});
+    options.push_back(options_of(flags, curve, card));
+    results.push_back(evaluate(std::move(curve), options.back()));
+  }
+  if (flags.json != "-")
+    for (std::size_t i = 0; i < results.size(); ++i)
+      fmt::print("{}\n", measured_text(results[i], options[i]));
+  if (!flags.json.empty())
+    write_document(measured_document(results, options, command_line()), flags.json);
+  if (flags.out.empty()) return 0;
+  const fs::path folder = output_folder(flags.out);
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (const auto warning =
+            draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
+      spdlog::warn("{}", *warning);
+  write_document(measured_document(results, options, command_line()), (folder / "fit.json").string());
+  return 0;
+}
+
+constexpr const char* fit_examples =
+    R"TXT(A file is a table with units in its header: depth_nm,force_nN or "depth (nm)", "force [nN]". Lines of the form
+"# radius: 0.5 um" (also nu, tip, tip-radius) stand in for flags that are not given. validate model lists the models.
+
+Examples:
+  validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
+  validate fit *.csv --radius "0.5 um" --nu 0.165 --baseline 0 --contact fit --out fits
+  validate fit curve.csv --radius "0.5 um" --tip disc --tip-radius "16.5 nm" --potential lcbop
+  validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
+  validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
+
+}  // namespace
+
+void add_fit(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("fit", "E·h and pretension of measured force-depth curves");
+  const auto flags = std::make_shared<FitFlags>();
+  command->add_option("files", flags->files, "CSV files")->required()->type_name("FILE");
+  const auto text = [&](const char* name, std::string& value, const char* meaning,
+                        const char* type = "VALUE") {
+    command->add_option(name, value, meaning)->type_name(type);
+  };
+  text("--radius", flags->radius, "radius of the suspended sheet; > 0 Å");
+  text("--nu", flags->nu, "Poisson's ratio; > -1 and < 1", "NUMBER");
+  text("--tip", flags->tip, "shape of the tip; sphere, disc; default sphere", "NAME");
+  text("--tip-radius", flags->tip_radius, "radius of the tip; 0 is a point; default 0");
+  text("--bending", flags->bending, "bending modulus in eV, for the model plate, the warnings and the sheet", "NUMBER");
+  text("--potential", flags->potential, "fit a sheet of this potential's own law, with bending, beside the closed form", "NAME");
+  text("--third-order", flags->third_order,
+       "fit a sheet with S = E·h E + D E²: this D, -690 N/m in Lee et al. 2008");
+  text("--model", flags->model, "closed form to fit; default eq16", "NAME");
+  text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform",
+       "NAME");
+  text("--depth-column", flags->depth_column, "header or number of the depth column", "NAME");
+  text("--force-column", flags->force_column, "header or number of the force column", "NAME");
+  text("--sigma-column", flags->sigma_column, "header or number of the forces' standard deviations", "NAME");
+  text("--depth-min", flags->depth_min, "smallest depth used");
+  text("--depth-max", flags->depth_max, "largest depth used");
+  text("--baseline", flags->baseline, "take off the mean force of the points up to this depth");
+  text("--contact", flags->contact, "depth of the contact point, or 'fit' to find it; default 0");
+  command->add_flag("--fit-force-zero", flags->fit_force_zero, "the zero of force is one more parameter");
+  command->add_option("--bootstrap", flags->bootstrap, "refits to drawn residuals; 0 to 100000; default 500")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000).description(""));
+  command->add_option("--seed", flags->seed, "of the draws; default 1")->type_name("N");
+  text("--out", flags->out, "folder for plots and fit.json; default: none", "DIR");
+  text("--json", flags->json, "write the numbers there; - is stdout", "FILE");
+  command->footer(fit_examples);
+  command->callback([flags, &exit_code] { exit_code = fit(*flags); });
+}
+
+}  // namespace validate

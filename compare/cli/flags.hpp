@@ -1,0 +1,55 @@
+// Command-line flags: one for every field of a case, made from describe(), and those of a run.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/input/case.hpp"
+#include "compare/input/run_options.hpp"
+
+namespace validate {
+
+/// One case of a batch: the texts that stand for the lists given to --potential and --radius.
+struct Variant {
+  std::optional<std::string> potential, radius;
+};
+
+/// The flags of a case. Lives as long as the command that it was added to.
+class CaseFlags {
+ public:
+  explicit CaseFlags(CLI::App& command);
+
+  /// Overwrites the fields whose flags were given and adds "--flag" as their origin.
+  /// Throws Error (bad input) that names the flag, the value and what is allowed.
+  void apply(Case&, Origins&, const Variant& = {}) const;
+
+  /// What --potential and --radius, separated by commas, ask for: every potential with every radius. One empty variant
+  /// where neither is a list.
+  std::vector<Variant> variants() const;
+
+ private:
+  const CLI::App& command_;
+};
+
+/// Adds a flag for every field of a described struct, its value in `Described{}` as the default.
+template <class Described>
+void add_flags(CLI::App& command);
+
+/// Overwrites the fields whose flags were given and adds "--flag" as their origin. Throws Error (bad input) that names the
+/// flag, the value and what is allowed.
+template <class Described>
+void apply_flags(const CLI::App& command, Described& described, Origins& origins);
+
+/// Adds the flags of a run; the options must outlive the parsing.
+void add_run_options(CLI::App& command, RunOptions&);
+
+/// Refuses options that contradict each other.
+void check(const RunOptions&);
+
+/// Names of all flags of a command, with their dashes.
+std::vector<std::string> flag_names(const CLI::App& command);
+
+}  // namespace validate

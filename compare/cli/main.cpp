@@ -1,0 +1,146 @@
+// The program `validate`: its commands, and the one place where errors become messages and exit codes.
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/cli/bulge.hpp"
+#include "compare/cli/figure.hpp"
+#include "compare/cli/fit.hpp"
+#include "compare/cli/flags.hpp"
+#include "compare/cli/indentation.hpp"
+#include "compare/cli/model.hpp"
+#include "compare/cli/potential.hpp"
+#include "compare/cli/report.hpp"
+#include "compare/cli/verify.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/base/nearest.hpp"
+#include "compare/process/provenance.hpp"
+
+namespace {
+
+using validate::ExitCode;
+
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App&, int& exit_code);
+};
+
+// Every command of the program.
+constexpr std::array commands = {
+    Command{"bulge", validate::add_bulge},
+    Command{"figure", validate::add_figure},
+    Command{"fit", validate::add_fit},
+    Command{"indentation", validate::add_indentation},
+    Command{"model", validate::add_model},
+    Command{"potential", validate::add_potential},
+    Command{"report", validate::add_report},
+    Command{"verify", validate::add_verify},
+};
+
+int fail(ExitCode code, std::string_view message) {
+  fmt::print(stderr, "validate: error: {}\n", message);
+  return static_cast<int>(code);
+}
+
+// stdout belongs to the results: the log goes to stderr, coloured only on a terminal and without NO_COLOR.
+void set_up_log() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const bool plain = no_color != nullptr && *no_color != '\0';
+  auto log =
+      spdlog::stderr_color_mt("validate", plain ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+  log->set_pattern("validate: %^%l%$: %v");
+  spdlog::set_default_logger(log);
+}
+
+std::vector<std::string_view> command_names() {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return names;
+}
+
+void refuse_unknown_command(std::string_view word) {
+  const auto names = command_names();
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw validate::bad_input("unknown command '{}'; allowed: {}{}", word, fmt::join(names, ", "),
+                           validate::did_you_mean(word, names));
+}
+
+std::string extras_message(const CLI::App& app) {
+  const std::string word = app.remaining(true).front();
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) {
+    return fmt::format("unknown flag '{}' before the command; use validate COMMAND {} …, commands: {}", word,
+                       word, fmt::join(command_names(), ", "));
+  }
+  const auto parts = chosen.front()->get_subcommands([](const CLI::App*) { return true; });
+  if (!word.starts_with('-') && !parts.empty()) {
+    std::vector<std::string> owned;
+    for (const CLI::App* part : parts) owned.push_back(part->get_name());
+    const std::vector<std::string_view> names(owned.begin(), owned.end());
+    return fmt::format("unknown {} '{}'; allowed: {}{}", chosen.front()->get_name(), word, fmt::join(owned, ", "),
+                       validate::did_you_mean(word, names));
+  }
+  if (!word.starts_with('-'))
+    return fmt::format("unexpected argument '{}'; a value belongs to a --flag", word);
+  const CLI::App& command = *chosen.front();
+  const auto names = validate::flag_names(command);
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const std::string flag = word.substr(0, word.find('='));
+  return fmt::format("unknown flag '{}' (validate {} --help lists all){}", flag, command.get_name(),
+                     validate::did_you_mean(flag, candidates));
+}
+
+int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) {
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ExtrasError&) {
+    return fail(ExitCode::bad_input, extras_message(app));
+  } catch (const CLI::ParseError& problem) {
+    if (problem.get_exit_code() == 0) return app.exit(problem);  // --help and --version
+    return fail(ExitCode::bad_input, problem.what());
+  }
+}
+
+int run(int argc, char** argv) {
+  int exit_code = 0;
+  CLI::App app("Does a wrinkling hyperelastic membrane predict what the atoms of graphene do?", "validate");
+  app.set_version_flag("--version", [] { return validate::version_text(); });
+  app.footer(
+      "validate COMMAND --help shows the flags of a command.\n"
+      "Example: validate indentation --radius 110\n\n"
+      "Exit codes: 0 agreement or nothing to judge, 1 internal error, 2 bad input, 3 disagreement, 4 a "
+      "solver did\n"
+      "not converge, 5 the atomistic program failed, 6 a file could not be read or written, 130 "
+      "interrupted.");
+  for (const Command& command : commands) command.add(app, exit_code);
+  if (argc < 2) {
+    fmt::print(stderr, "{}", app.help());
+    return static_cast<int>(ExitCode::bad_input);
+  }
+  refuse_unknown_command(argv[1]);
+  return parse_and_run(app, argc, argv, exit_code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    set_up_log();
+    return run(argc, argv);
+  } catch (const validate::Error& error) {
+    return fail(error.exit_code(), error.what());
+  } catch (const std::exception& error) {
+    return fail(ExitCode::internal_error, fmt::format("internal error: {}", error.what()));
+  }
+}

@@ -1,0 +1,97 @@
+#include "compare/cli/potential.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "compare/cli/flags.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/base/interrupt.hpp"
+#include "compare/documents/texts/card_files.hpp"
+#include "compare/base/file.hpp"
+#include "compare/base/paths.hpp"
+#include "compare/potential/potential_card.hpp"
+#include "compare/potential/switch_length.hpp"
+
+namespace validate {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* potential_examples =
+    R"(A name is looked up in inputs/potentials (kim/hnn-2019 is one too); a path to a TOML file works as well.
+
+Examples:
+  validate potential tersoff
+  validate potential airebo --switch-length 1.92 --out airebo-1.92
+  validate potential mine.toml --json -)";
+
+struct Options {
+  std::string name, switch_length;
+  std::optional<fs::path> out, json;
+  bool refresh = false;
+};
+
+double parsed_switch_length(const std::string& text) {
+  std::optional<double> length;
+  const Case defaults;
+  describe(defaults, [&](const Field& field, const auto&) {
+    if (field.name == "switch-length") length = parse_number(field, text, "--switch-length");
+  });
+  return length.value();
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
+}
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw Error(ExitCode::file_failed, "cannot write to stdout");
+}
+
+int potential(const Options& options) {
+  PotentialFile file = read_potential(options.name, inputs_folder() / "potentials", "NAME");
+  for (const std::string& warning : file.warnings) spdlog::warn("{}", warning);
+  if (!options.switch_length.empty()) {
+    const double length = parsed_switch_length(options.switch_length);
+    check_switch(file, "--switch-length");
+    if (!options.out) throw bad_input("--switch-length: the changed copy of the file needs a folder: add --out DIR");
+    make_folder(*options.out);
+    file = with_switch_at(file, length, *options.out, "--switch-length");
+  }
+  catch_interrupts();
+  const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = 1};
+  const PotentialCard card = potential_card(file, launch, card_cache(), options.refresh);
+  if (options.out) {
+    make_folder(*options.out);
+    if (const auto missing = write_card_files(card, *options.out)) spdlog::warn("{}", *missing);
+  }
+  const std::string document = card_document(card).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  if (options.json && *options.json != "-") write_file(*options.json, document);
+  print(options.json && *options.json == "-" ? document : card_table(card));
+  return 0;
+}
+
+}  // namespace
+
+void add_potential(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("potential", "what a potential says of flat graphene: moduli, strength, bending");
+  const auto options = std::make_shared<Options>();
+  command->add_option("NAME", options->name, "name in inputs/potentials, or path to a TOML file")->required();
+  command->add_option("--out", options->out, "folder for card.json, law.toml, stress-strain.csv, .svg, .png")->type_name("DIR");
+  command->add_option("--json", options->json, "write the card there; - is stdout")->type_name("FILE");
+  command->add_option("--switch-length", options->switch_length, "move the C-C switch of AIREBO or REBO there, Å")
+      ->type_name("VALUE");
+  command->add_flag("--refresh", options->refresh, "compute anew even if this card is kept from an earlier run");
+  command->footer(potential_examples);
+  command->callback([options, &exit_code] { exit_code = potential(*options); });
+}
+
+}  // namespace validate

@@ -1,0 +1,144 @@
+#include "compare/cli/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/base/errors.hpp"
+#include "compare/base/nearest.hpp"
+#include "compare/base/file.hpp"
+#include "compare/base/progress.hpp"
+#include "compare/verify/groups.hpp"
+#include "compare/documents/texts/verify_table.hpp"
+#include "membrane/base/fault.hpp"
+
+namespace validate {
+namespace {
+
+namespace fs = std::filesystem;
+using verify::Group;
+using verify::Row;
+
+struct VerifyFlags {
+  std::string what;
+  std::vector<std::string> groups;
+  std::string out, json, broken;
+  bool quiet = false;
+};
+
+const Group& group_of(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Group& group : verify::groups()) {
+    if (group.name == name) return group;
+    names.push_back(group.name);
+  }
+  throw bad_input("--group: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "),
+                  did_you_mean(name, names));
+}
+
+std::vector<Group> chosen(const VerifyFlags& flags) {
+  constexpr std::string_view only = "membrane";
+  if (flags.what != only)
+    throw bad_input("verify: '{}' is none; allowed: {}{}", flags.what, only,
+                    did_you_mean(flags.what, {&only, 1}));
+  std::vector<Group> result;
+  for (const std::string& name : flags.groups) result.push_back(group_of(name));
+  if (result.empty()) result.assign(verify::groups().begin(), verify::groups().end());
+  return result;
+}
+
+#ifdef VALIDATE_FAULTS
+void set_fault(const std::string& name) {
+  if (name.empty()) return;
+  std::vector<std::string_view> names;
+  for (const membrane::NamedFault& fault : membrane::named_faults) {
+    if (fault.name == name) membrane::present_fault = fault.fault;
+    names.push_back(fault.name);
+  }
+  if (membrane::present_fault == membrane::Fault::none)
+    throw bad_input("--break: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "),
+                    did_you_mean(name, names));
+}
+#else
+void set_fault(const std::string&) {}
+#endif
+
+std::vector<Row> rows_of(const std::vector<Group>& groups, Progress& progress) {
+  std::vector<Row> rows;
+  for (const Group& group : groups) {
+    const auto on_row = [&](const Row& row) { progress.status(fmt::format("{}: {}", row.group, row.name)); };
+    const double start = progress.elapsed_s();
+    const auto found = verify::run(group, on_row);
+    const auto failed = std::ranges::count_if(found, [](const Row& row) { return !verify::passes(row); });
+    progress.say(fmt::format("{}: {} rows, {} failed, {:.1f} s", group.name, found.size(), failed,
+                             progress.elapsed_s() - start));
+    rows.insert(rows.end(), found.begin(), found.end());
+  }
+  return rows;
+}
+
+void write_files(const VerifyFlags& flags, const std::vector<Row>& rows, const std::string& json) {
+  if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
+  if (flags.out.empty()) return;
+  std::error_code error;
+  fs::create_directories(flags.out, error);
+  if (error)
+    throw Error(ExitCode::file_failed,
+                fmt::format("--out: cannot create '{}': {}", flags.out, error.message()));
+  write_file(fs::path(flags.out) / "verify.csv", verify::table_csv(rows));
+  write_file(fs::path(flags.out) / "verify.json", json);
+}
+
+/// Exit code 3 where a row fails.
+int verify_command(const VerifyFlags& flags) {
+  set_fault(flags.broken);
+  const std::vector<Group> groups = chosen(flags);
+  Progress progress(flags.quiet);
+  const std::vector<Row> rows = rows_of(groups, progress);
+  const std::string json = verify::table_json(rows).dump(2) + "\n";
+  write_files(flags, rows, json);
+  const bool all_pass = std::ranges::all_of(rows, verify::passes);
+  fmt::print("{}", flags.json == "-" ? json : verify::table_text(rows));
+  return static_cast<int>(all_pass ? ExitCode::success : ExitCode::disagreement);
+}
+
+std::string footer() {
+  std::string text = "Groups:\n";
+  for (const Group& group : verify::groups()) text += fmt::format("  {:10} {}\n", group.name, group.what);
+  return text +
+         "\nEvery row names where its reference comes from: a closed form, a publication, or a solver that "
+         "shares no "
+         "code\nwith the membrane. `allowed` is relative (absolute where the reference is 0) and follows "
+         "from the "
+         "error that\ntwo meshes foretell. Exit code 0 if every row passes, 3 if one fails.\n\n"
+         "Examples:\n  validate verify membrane\n  validate verify membrane --group point,disc --out "
+         "verified\n"
+         "  validate verify membrane --json - | python3 -m json.tool";
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("verify", "the membrane against independent references, as a table");
+  const auto flags = std::make_shared<VerifyFlags>();
+  command->add_option("what", flags->what, "what to verify: membrane")->required()->type_name("membrane");
+  command->add_option("--group", flags->groups, "these groups only; default all")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command->add_option("--out", flags->out, "folder for verify.csv and verify.json")->type_name("DIR");
+  command->add_option("--json", flags->json, "write the rows as JSON; - for stdout, instead of the table")
+      ->type_name("FILE");
+  command->add_flag("--quiet", flags->quiet, "no progress on stderr");
+#ifdef VALIDATE_FAULTS
+  command->add_option("--break", flags->broken, "with one term of the membrane wrong")->type_name("NAME");
+#endif
+  command->footer(footer());
+  command->callback([flags, &exit_code] { exit_code = verify_command(*flags); });
+}
+
+}  // namespace validate

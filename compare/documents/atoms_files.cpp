@@ -1,0 +1,71 @@
+#include "compare/documents/atoms_files.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <vector>
+
+#include "atomistic/protocol/data_file.hpp"
+#include "atomistic/protocol/step_file.hpp"
+#include "compare/documents/bytes/extxyz.hpp"
+#include "compare/base/file.hpp"
+
+namespace validate {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Eigen::Vector3d> by_atom(const Eigen::VectorXd& flat) {
+  std::vector<Eigen::Vector3d> all;
+  for (Eigen::Index i = 0; i < flat.size(); i += 3) all.emplace_back(flat.segment<3>(i));
+  return all;
+}
+
+std::vector<double> longest_bond_by_atom(const atomistic::Sheet& sheet, const std::vector<Eigen::Vector3d>& x) {
+  std::vector<double> longest(x.size(), 0.0);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (int j : sheet.neighbours[i])
+      if (j >= 0) longest[i] = std::max(longest[i], (x[i] - x[static_cast<std::size_t>(j)]).norm());
+  return longest;
+}
+
+}  // namespace
+
+void write_lammps_log(const fs::path& work, const fs::path& folder) {
+  std::set<fs::path> logs;
+  for (const auto& entry : fs::directory_iterator(work))
+    if (fs::exists(entry.path() / "log.lammps")) logs.insert(entry.path() / "log.lammps");
+  if (logs.empty()) return;
+  std::string all;
+  for (const fs::path& log : logs) {
+    std::ifstream in(log);
+    all += fmt::format("# ---- {}\n", log.parent_path().filename().string());
+    all.append(std::istreambuf_iterator<char>(in), {});
+  }
+  write_file(folder / "lammps.log", all);
+}
+
+void write_deepest_sheet(const atomistic::Potential& potential, const std::string& load, const atomistic::Sheet& sheet,
+                         const fs::path& work, const fs::path& folder) {
+  const std::optional<atomistic::Step> step = atomistic::read_deepest_step(work / load / "steps");
+  if (!step) return;
+  const std::vector<Eigen::Vector3d> positions = by_atom(step->positions), forces = by_atom(step->forces);
+  const std::vector<double> longest = longest_bond_by_atom(sheet, positions);
+  std::vector<int> clamped(positions.size(), 1);
+  std::fill_n(clamped.begin(), sheet.free_atoms, 0);
+  write_extxyz({.potential = potential.name,
+                .load = load,
+                .depth_A = step->depth_A,
+                .force_eV_per_A = step->force_eV_per_A,
+                .positions_A = positions,
+                .forces_eV_per_A = forces,
+                .longest_bond_A = longest,
+                .clamped = clamped},
+               folder / fmt::format("atoms-{}.extxyz", load));
+  write_file(folder / fmt::format("atoms-{}.data", load), atomistic::data_file(potential, step->positions));
+}
+
+}  // namespace validate

@@ -1,0 +1,42 @@
+// The reading half of the thin layer over HDF5.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/documents/bytes/h5.hpp"
+
+namespace validate::h5 {
+
+/// A group opened for reading. Names that are not there are no error where the answer says so; anything else
+/// that fails throws Error (file failed).
+class ReadGroup {
+ public:
+  ReadGroup(std::shared_ptr<Handle> file, Handle group) : file_(std::move(file)), group_(std::move(group)) {}
+
+  std::optional<ReadGroup> group(std::string_view name) const;
+
+  bool has_attribute(const std::string& name) const;
+  double number(const std::string& attribute) const;  ///< of any numeric type, booleans included
+  std::vector<double> numbers(const std::string& attribute) const;
+  std::string text(const std::string& attribute) const;
+  std::vector<std::string> texts(const std::string& attribute) const;
+
+  // Data sets; empty where there is none of that name.
+  std::vector<double> column(const std::string& name) const;
+  std::vector<std::string> text_column(const std::string& name) const;
+
+ private:
+  std::shared_ptr<Handle> file_;  // stays open as long as one of its groups
+  Handle group_;
+};
+
+/// The root of a file. Throws Error: bad input if there is no such file or it is not HDF5; `label` starts the
+/// message.
+ReadGroup open_file(const std::filesystem::path& file, std::string_view label);
+
+}  // namespace validate::h5

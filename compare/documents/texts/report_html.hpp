@@ -1,0 +1,27 @@
+// report.html: a run on one page that needs nothing else.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/results/result.hpp"
+
+namespace validate {
+
+/// A drawing for the page, as gnuplot wrote it: SVG text, or the bytes of a PNG where there are too many points.
+struct ReportFigure {
+  std::string content, title, caption;
+  bool png = false;
+};
+
+/// The page: verdict, headline table, figures, regimes and ratios, fits with intervals and warnings,
+/// convergence per depth, provenance, how to make it again.
+std::string report_html(const Result& result, const std::vector<ReportFigure>& figures);
+
+/// Draws the figures anew (in a folder of its own that is removed) and writes the page; the atoms come from the run's
+/// folder. Without gnuplot the page has no figures and says so. Throws Error (file failed).
+void write_report(const Result& result, const std::filesystem::path& run_folder,
+                  const std::filesystem::path& target);
+
+}  // namespace validate

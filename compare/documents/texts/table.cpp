@@ -1,0 +1,245 @@
+#include "compare/documents/texts/table.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "compare/base/errors.hpp"
+#include "compare/documents/plots/explanation_text.hpp"
+#include "compare/base/units.hpp"
+
+namespace validate {
+
+namespace {
+
+constexpr int widest_line = 120;
+
+// Characters, not bytes: the continuation bytes of UTF-8 do not count.
+int width_of(std::string_view text) {
+  return static_cast<int>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// Adds a sentence, broken at blanks where it grows too long.
+template <class... Parts>
+void sentence(std::string& text, fmt::format_string<Parts...> format, Parts&&... parts) {
+  std::istringstream words(fmt::format(format, std::forward<Parts>(parts)...));
+  int width = 0;
+  for (std::string word; words >> word; width += width_of(word)) {
+    const bool too_long = width > 0 && width + 1 + width_of(word) > widest_line;
+    if (width > 0) text += too_long ? "\n    " : " ";
+    width = too_long ? 4 : width + (width > 0);
+    text += word;
+  }
+  text += '\n';
+}
+
+// Run, E·h (N/m, eV/Å²), card's E·h, pretension, correlation, rms, points, last point, ended.
+using Row = std::array<std::string, 10>;
+
+const Row headings = {"Eq. 16 fitted to", "E·h",  "E·h", "card", "pretension", "corr", "rms", "pts",
+                      "last force",       "ended"};
+const Row units = {"", "N/m ± error", "eV/Å²", "N/m", "N/m ± error", "", "%", "", "eV/Å @ Å", ""};
+
+void add_row(std::string& text, const Row& cell) {
+  const std::string line =
+      fmt::format("{:<25}{:>13}{:>7}{:>7}  {:>15}{:>7}{:>6}{:>5}  {:>14}  {}", cell[0], cell[1], cell[2],
+                  cell[3], cell[4], cell[5], cell[6], cell[7], cell[8], cell[9]);
+  text.append(line, 0, line.find_last_not_of(' ') + 1) += '\n';
+}
+
+double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
+
+// A rounding error of either sign prints as 0, not as -0.
+std::string fixed(double value, int digits) {
+  const std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero ? fmt::format("{:.{}f}", 0.0, digits) : text;
+}
+
+std::string with_error(double value, double error, int digits) {
+  return fixed(value, digits) + " ± " + fixed(error, digits);
+}
+
+std::string name_of(const Run& run) {
+  const std::string name = fmt::format("{} {}", to_string(run.model), run.load);
+  return run.constants == Constants::none ? name : fmt::format("{} {}", name, to_string(run.constants));
+}
+
+// The deepest point reached, artefact zone included.
+std::string last_point(const Run& run) {
+  for (std::size_t i = run.depth_A.size(); i-- > 0;) {
+    if (run.converged[i]) return fmt::format("{:.4g} @ {:.4g}", run.force_eV_per_A[i], run.depth_A[i]);
+  }
+  return "-";
+}
+
+Row row_of(const Run& run, const std::string& card) {
+  const std::string ended(to_string(run.ended));
+  if (!run.fit) return {name_of(run), "-", "-", card, "-", "-", "-", "-", last_point(run), ended};
+  const Fit& fit = *run.fit;
+  return {name_of(run),
+          with_error(in_N_per_m(fit.Eh_eV_per_A2), in_N_per_m(fit.Eh_stderr_eV_per_A2), 1),
+          fixed(fit.Eh_eV_per_A2, 2),
+          card,
+          with_error(in_N_per_m(fit.pretension_eV_per_A2), in_N_per_m(fit.pretension_stderr_eV_per_A2), 3),
+          fixed(fit.correlation, 2),
+          fixed(100 * fit.rms_relative, 2),
+          fmt::format("{}", fit.points),
+          last_point(run),
+          ended};
+}
+
+// What the fit is known to get wrong, and what is left when that is taken out.
+void add_corrections(std::string& text, const std::vector<Run>& runs) {
+  if (std::ranges::none_of(runs, [](const Run& run) { return run.fit && run.fit->bias; })) return;
+  const auto line = [&](const std::array<std::string, 6>& cell) {
+    const std::string row = fmt::format("{:<25}{:>16}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2],
+                                        cell[3], cell[4], cell[5]);
+    text.append(row, 0, row.find_last_not_of(' ') + 1) += '\n';
+  };
+  line({"Bias known, removed", "Eq. 16 reads", "corrected", "membrane itself", "corrected",
+        "membrane itself"});
+  line({"", "E·h of membrane", "E·h (N/m)", "E·h (N/m)", "pretension (N/m)", "pretension (N/m)"});
+  for (const Run& run : runs) {
+    if (!run.fit || !run.fit->bias) continue;
+    const FitBias& bias = *run.fit->bias;
+    const auto& direct = run.fit->direct;
+    line({name_of(run), fmt::format("{:+.1f} %", 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1)),
+          fixed(in_N_per_m(bias.Eh_corrected_eV_per_A2), 1),
+          direct ? with_error(in_N_per_m(direct->Eh_eV_per_A2), in_N_per_m(direct->Eh_stderr_eV_per_A2), 1)
+                 : "",
+          fixed(in_N_per_m(bias.pretension_corrected_eV_per_A2), 3),
+          direct ? with_error(in_N_per_m(direct->pretension_eV_per_A2),
+                              in_N_per_m(direct->pretension_stderr_eV_per_A2), 3)
+                 : ""});
+  }
+  text += '\n';
+}
+
+void add_notes(std::string& text, const Result& result, const Run& run) {
+  const auto artefacts = std::ranges::count(run.artefact, true);
+  if (artefacts > 0) {
+    sentence(text,
+             "{}: {} {} with a bond ≥ {:.2f} Å (artefact zone, from {:.4g} Å on) left out of fit and verdict",
+             name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_of(result),
+             run.depth_A[*first_artefact(run)]);
+  }
+  if (const auto& c = run.contact) {
+    sentence(text,
+             "{}: atoms up to {:.3f} Å inside the sphere; a contact four times stiffer changes the last force by {:.2f} % "
+             "at equal travel, {:.2f} % at equal depth",
+             name_of(run), c->deepest_penetration_A, 100 * c->force_change_relative,
+             100 * c->force_change_at_equal_depth_relative);
+  }
+  if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
+  const bool law_left = run.constants == Constants::calibrated && run.ended != Ended::not_converged;  // what laws do
+  if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
+    sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
+  }
+  if (!run.fit || !(run.constants == Constants::none || run.constants == Constants::given)) return;  // bias: shown above
+  for (const std::string& warning : run.fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
+}
+
+// The judged point that differs most, in words.
+std::string worst_point(const Agreement& agreement) {
+  if (agreement.ratio.empty()) return "";
+  const auto difference = [](double ratio) { return std::abs(ratio - 1); };
+  const auto worst = std::ranges::max_element(agreement.ratio, {}, difference) - agreement.ratio.begin();
+  return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})",
+                     agreement.depth_A[static_cast<std::size_t>(worst)], agreement.against,
+                     agreement.ratio[static_cast<std::size_t>(worst)]);
+}
+
+// Where the atoms follow the membrane, and why not elsewhere.
+void add_regimes(std::string& text, const Result& result) {
+  for (const Comparison& c : result.comparisons) {
+    if (c.depth_A.empty()) continue;
+    const double largest = c.depth_A.back();
+    const double bending = std::isfinite(c.bending_to_A) ? c.bending_to_A : 0;
+    const double softening = std::isfinite(c.softening_from_A) ? c.softening_from_A : largest;
+    std::string more;
+    if (std::isfinite(c.softening_from_A))
+      more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
+    if (std::isfinite(c.artefact_from_A))
+      more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
+    if (std::isfinite(c.predicted_artefact_from_A))
+      more += fmt::format(" (predicted by the sheet's strains: {:.3g} Å)", c.predicted_artefact_from_A);
+    if (c.regime.back() == Regime::bending) {
+      sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", c.load,
+               1 + result.resolved.regime_tolerance, more);
+    } else {
+      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}",
+               c.load, bending, softening, 100 * result.resolved.regime_tolerance, more);
+    }
+  }
+  if (!result.comparisons.empty()) text += '\n';
+}
+
+const char* constants_of(const Agreement& agreement) {
+  return agreement.against == "sheet" ? "the potential's own law, with bending" : "card constants";
+}
+
+void add_verdict(std::string& text, const Result& result, bool colour) {
+  if (!result.agreement) {
+    sentence(text, "No verdict: {}.",
+             result.agreement_skipped.empty() ? "nothing to compare" : result.agreement_skipped);
+    return;
+  }
+  const Agreement& agreement = *result.agreement;
+  if (colour) text += agreement.passed ? "\033[1;32m" : "\033[1;31m";
+  text += agreement.passed ? "AGREEMENT" : "DISAGREEMENT";
+  if (colour) text += "\033[0m";
+  text += '\n';
+  sentence(text,
+           "Over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from the {}'s ({}) "
+           "by at most {:.2f} %{}; the tolerance is {:.2f} %.",
+           agreement.window[0], agreement.window[1], agreement.load, agreement.against, constants_of(agreement),
+           100 * agreement.max_relative_difference, worst_point(agreement), 100 * agreement.tolerance);
+}
+
+}  // namespace
+
+std::string table(const Result& result, bool colour) {
+  std::string text;
+  if (const auto& card = result.card) {
+    sentence(text, "{}: a0 = {:.4f} Å, E·h = {:.1f} N/m ({:.2f} eV/Å²), nu = {:.4f}",
+             result.resolved.potential, card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2,
+             card->nu);
+  }
+  if (const auto& sheet = result.sheet) {
+    sentence(text, "sheet: R = {:g} Å, effective radius a = {:.3f} Å, {} atoms", sheet->radius_A,
+             sheet->effective_radius_A, sheet->atoms);
+  }
+  if (!text.empty()) text += '\n';
+  add_row(text, headings);
+  add_row(text, units);
+  const std::string card = result.card ? fixed(in_N_per_m(result.card->Eh_eV_per_A2), 1) : "-";
+  for (const Run& run : result.runs) add_row(text, row_of(run, card));
+  text += '\n';
+  add_corrections(text, result.runs);
+  const std::size_t before_notes = text.size();
+  for (const Run& run : result.runs) add_notes(text, result, run);
+  if (text.size() > before_notes) text += '\n';
+  text += explanation_text(result);
+  add_regimes(text, result);
+  add_verdict(text, result, colour);
+  return text;
+}
+
+void print_table(const Result& result, std::FILE* out) {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const bool colour = ::isatty(::fileno(out)) && (!no_color || !*no_color);
+  const std::string text = table(result, colour);
+  if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0) {
+    throw Error(ExitCode::file_failed, "cannot write the table to stdout");
+  }
+}
+
+}  // namespace validate

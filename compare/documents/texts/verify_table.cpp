@@ -1,0 +1,86 @@
+#include "compare/documents/texts/verify_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace validate::verify {
+namespace {
+
+const char* relation_text(Relation relation) {
+  switch (relation) {
+    case Relation::at_most:
+      return "<=";
+    case Relation::at_least:
+      return ">=";
+    case Relation::equal:
+      break;
+  }
+  return "=";
+}
+
+/// The error counts where values have to be equal; a bound has none.
+std::string error_text(const Row& row) {
+  return row.relation == Relation::equal ? fmt::format("{:.1e}", relative_error(row)) : "";
+}
+
+std::string tolerance_text(const Row& row) {
+  return row.relation == Relation::equal ? fmt::format("{:.1e}", row.tolerance) : "";
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+}  // namespace
+
+std::string table_text(const std::vector<Row>& rows) {
+  std::size_t widest_case = 4, widest_quantity = 8;
+  for (const Row& row : rows) {
+    widest_case = std::max(widest_case, row.name.size());
+    widest_quantity = std::max(widest_quantity, row.quantity.size());
+  }
+  std::string text = fmt::format("{:4} {:9} {:{}} {:{}} {:>15}    {:>15} {:>8} {:>8}  {}\n", "", "group",
+                                 "case", widest_case, "quantity", widest_quantity, "computed", "reference",
+                                 "error", "allowed", "origin");
+  for (const Row& row : rows)
+    text += fmt::format("{:4} {:9} {:{}} {:{}} {:>15.9g} {:>2} {:>15.9g} {:>8} {:>8}  {}{}\n",
+                        passes(row) ? "ok" : "FAIL", row.group, row.name, widest_case, row.quantity,
+                        widest_quantity, row.computed, relation_text(row.relation), row.reference.value,
+                        error_text(row), tolerance_text(row), row.reference.origin,
+                        row.note.empty() ? "" : " (" + row.note + ")");
+  return text;
+}
+
+std::string table_csv(const std::vector<Row>& rows) {
+  std::string text =
+      "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note\n";
+  for (const Row& row : rows)
+    text += fmt::format("{},{},{},{:.12g},{},{:.12g},{},{:.3e},{:.3e},{},{}\n", row.group, quoted(row.name),
+                        quoted(row.quantity), row.computed, relation_text(row.relation), row.reference.value,
+                        quoted(row.reference.origin), relative_error(row), row.tolerance, passes(row),
+                        quoted(row.note));
+  return text;
+}
+
+nlohmann::json table_json(const std::vector<Row>& rows) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Row& row : rows)
+    list.push_back({{"group", row.group},
+                    {"case", row.name},
+                    {"quantity", row.quantity},
+                    {"computed", row.computed},
+                    {"relation", relation_text(row.relation)},
+                    {"reference", row.reference.value},
+                    {"origin", row.reference.origin},
+                    {"relative_error", relative_error(row)},
+                    {"tolerance", row.tolerance},
+                    {"pass", passes(row)},
+                    {"note", row.note}});
+  const auto failed = std::ranges::count_if(rows, [](const Row& row) { return !passes(row); });
+  return {{"passed", rows.size() - failed}, {"failed", failed}, {"rows", list}};
+}
+
+}  // namespace validate::verify

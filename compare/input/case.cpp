@@ -1,0 +1,221 @@
+#include "compare/input/case.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <cmath>
+#include <utility>
+
+#include "compare/base/errors.hpp"
+
+namespace validate {
+namespace {
+
+constexpr double depth_max_of_radius = 0.22;
+constexpr int most_levels = 10000;
+
+// Bounds of an atomistic sheet. The lattice constant is that of graphene, since the card is not known yet.
+constexpr double lattice_constant_A = 2.46;
+constexpr double smallest_atomistic_radius_A = 3 * lattice_constant_A;
+constexpr double smallest_atomistic_tip_A = 1.5;      // just holds the central hexagon
+constexpr double largest_atomistic_radius_A = 3000;   // 10.8 million atoms
+constexpr double memory_warning_radius_A = 500;       // about 3 GiB for the preconditioner's factor
+constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
+
+// Bounds of any sheet: beyond them a unit was mistaken, and the mesh or the solver would say so less clearly.
+constexpr double largest_tip_of_radius = 0.95, smallest_tip_of_radius = 1e-6;
+constexpr double smallest_radius_A = 1e-3, largest_radius_A = 1e14;            // up to 10 km
+constexpr double smallest_Eh_eV_per_A2 = 1e-12, largest_Eh_eV_per_A2 = 1e12;  // 16 pN/m, 16 TN/m
+
+bool has_load(const Case& c, std::string_view load) {
+  return std::find(c.loads.begin(), c.loads.end(), load) != c.loads.end();
+}
+
+/// Loads that the tip radius describes.
+bool has_tip(const Case& c) { return has_load(c, "disc") || has_load(c, "sphere"); }
+
+void check_loads(const Case& c, const Origins& origins) {
+  if (c.loads.empty()) throw bad_input("{}: at least one load is needed", label_of(origins, "loads"));
+  for (auto load = c.loads.begin(); load != c.loads.end(); ++load) {
+    if (std::find(c.loads.begin(), load, *load) != load) {
+      throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), *load);
+    }
+  }
+  if (!has_tip(c)) return;
+  if (!(c.tip_radius_A <= largest_tip_of_radius * c.radius_A)) {
+    throw bad_input("{}: a tip of {} Å is wider than the sheet can take; at most {} of its radius of {} Å: {:.6g} Å",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, largest_tip_of_radius, c.radius_A,
+                    largest_tip_of_radius * c.radius_A);
+  }
+  if (!(c.tip_radius_A >= smallest_tip_of_radius * c.radius_A)) {
+    throw bad_input("{}: a tip of {} Å is too small for a radius of {} Å; at least {} of it, or the point load",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, c.radius_A, smallest_tip_of_radius);
+  }
+}
+
+void check_given_constants(const Case& c, const Origins& origins) {
+  const std::pair<std::string_view, bool> constants[] = {
+      {"E", c.E_eV_per_A3.has_value()}, {"thickness", c.thickness_A.has_value()}, {"nu", c.nu.has_value()}};
+  std::string given, missing;
+  for (const auto& [name, is_given] : constants) {
+    std::string& list = is_given ? given : missing;
+    list += (list.empty() ? "" : ", ") + (is_given ? label_of(origins, name) : std::string(name));
+  }
+  if (given.empty()) return;
+  if (!missing.empty()) {
+    throw bad_input("{}: a membrane with given constants needs E, thickness and nu; missing: {}", given,
+                    missing);
+  }
+  if (c.models != "membrane") {
+    throw bad_input("{}: given constants describe a membrane alone: add --models membrane ({} is '{}')",
+                    given, label_of(origins, "models"), c.models);
+  }
+}
+
+/// What a membrane of given constants can be and bear, in terms of its own modulus.
+void check_membrane(const Case& c, const Origins& origins) {
+  const double Eh = *c.E_eV_per_A3 * *c.thickness_A;
+  if (!(c.radius_A >= smallest_radius_A && c.radius_A <= largest_radius_A)) {
+    throw bad_input("{}: {:g} Å is no radius of a membrane; allowed: {:g} Å to {:g} Å", label_of(origins, "radius"),
+                    c.radius_A, smallest_radius_A, largest_radius_A);
+  }
+  if (!(Eh >= smallest_Eh_eV_per_A2 && Eh <= largest_Eh_eV_per_A2)) {
+    throw bad_input("{}, {}: E times thickness is {} eV/Å²; allowed: {:g} to {:g}", label_of(origins, "E"),
+                    label_of(origins, "thickness"), Eh, smallest_Eh_eV_per_A2, largest_Eh_eV_per_A2);
+  }
+  if (!(c.pretension_eV_per_A2 <= Eh)) {
+    throw bad_input("{}: {} eV/Å² is more than E times thickness, {:.6g} eV/Å²", label_of(origins, "pretension"),
+                    c.pretension_eV_per_A2, Eh);
+  }
+  for (const double force : c.forces_eV_per_A) {
+    if (!(force <= Eh * c.radius_A)) {
+      throw bad_input("{}: {} eV/Å would press the sheet deeper than its radius; at most E times thickness times radius, "
+                      "{:.6g} eV/Å",
+                      label_of(origins, "forces"), force, Eh * c.radius_A);
+    }
+  }
+}
+
+void check_lattice(const Case& c, const Origins& origins) {
+  if (!(c.radius_A >= smallest_atomistic_radius_A)) {
+    throw bad_input("{}: {} Å is too small for a sheet of atoms; at least three lattice constants, {:.2f} Å",
+                    label_of(origins, "radius"), c.radius_A, smallest_atomistic_radius_A);
+  }
+  if (c.models != "membrane" && !(c.radius_A <= largest_atomistic_radius_A)) {
+    throw bad_input(
+        "{}: {} Å is too large for a sheet of atoms; at most {} Å (10.8 million atoms), "
+        "or --models membrane",
+        label_of(origins, "radius"), c.radius_A, largest_atomistic_radius_A);
+  }
+  if (has_tip(c) && !(c.tip_radius_A >= smallest_atomistic_tip_A)) {
+    throw bad_input("{}: a tip of {} Å meets no atom; at least {} Å, the size of the central hexagon",
+                    label_of(origins, "tip-radius"), c.tip_radius_A, smallest_atomistic_tip_A);
+  }
+  if (!(c.pretension_eV_per_A2 <= largest_pretension_eV_per_A2)) {
+    throw bad_input("{}: {} eV/Å² would break the sheet before the test; at most {} eV/Å² (42 N/m)",
+                    label_of(origins, "pretension"), c.pretension_eV_per_A2, largest_pretension_eV_per_A2);
+  }
+  const double largest_force = 2 * std::numbers::pi * c.radius_A * largest_pretension_eV_per_A2;
+  for (const double force : c.forces_eV_per_A) {
+    if (!(force <= largest_force)) {
+      throw bad_input("{}: {} eV/Å would tear the sheet off its rim; at most 42 N/m around it, {:.6g} eV/Å",
+                      label_of(origins, "forces"), force, largest_force);
+    }
+  }
+}
+
+void check_levels(const Case& c, const Origins& origins) {
+  if (c.forces_eV_per_A.size() > most_levels) {
+    throw bad_input("{}: {} levels are too many; at most {}", label_of(origins, "forces"),
+                    c.forces_eV_per_A.size(), most_levels);
+  }
+  if (!c.forces_eV_per_A.empty()) return;
+  const double depth_max = largest_depth_A(c);
+  if (!(depth_max <= c.radius_A)) {
+    throw bad_input("{}: {} Å is deeper than the radius, {} Å", label_of(origins, "depth-max"), depth_max,
+                    c.radius_A);
+  }
+  if (!(depth_step_A(c) <= depth_max)) {
+    throw bad_input("{}: {} Å is larger than the largest depth, {:.6g} Å{}", label_of(origins, "depth-step"),
+                    depth_step_A(c), depth_max,
+                    c.depth_max_A ? "" : fmt::format(" ({} of the radius)", depth_max_of_radius));
+  }
+  if (!(depth_max / depth_step_A(c) <= most_levels)) {
+    throw bad_input("{}: steps of {} Å up to {:.6g} Å are {:.0f} levels; at most {}",
+                    label_of(origins, "depth-step"), depth_step_A(c), depth_max, depth_max / depth_step_A(c),
+                    most_levels);
+  }
+}
+
+void check_places(const std::vector<double>& places, std::string_view name, const Case& c, const Origins& origins) {
+  if (places.size() % 2 != 0)
+    throw bad_input("{}: {} numbers are not pairs x,y", label_of(origins, name), places.size());
+  for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+    if (!(std::hypot(places[i], places[i + 1]) < c.radius_A))
+      throw bad_input("{}: the place {}, {} Å lies outside the free sheet, whose radius is {} Å", label_of(origins, name),
+                      places[i], places[i + 1], c.radius_A);
+}
+
+void check_window(const Case& c, const Origins& origins) {
+  const bool increasing = c.window.size() == 2 && c.window[0] < c.window[1];
+  if (!increasing) {
+    throw bad_input("{}: the window must be two increasing numbers, for instance 0.10, 0.15",
+                    label_of(origins, "window"));
+  }
+}
+
+std::vector<std::string> warnings(const Case& c, const Origins& origins) {
+  std::vector<std::string> found;
+  if (!c.forces_eV_per_A.empty()) {
+    if (c.depth_max_A) {
+      found.push_back(label_of(origins, "depth-max") + ": not used, because forces are given");
+    }
+  } else if (largest_depth_A(c) >= c.radius_A / 2) {
+    found.push_back(fmt::format("{}: {:.6g} Å is half of the radius or more: a sheet is torn long before",
+                                label_of(origins, "depth-max"), largest_depth_A(c)));
+  }
+  if (c.models != "membrane" && c.radius_A > memory_warning_radius_A) {
+    found.push_back(
+        fmt::format("{}: a sheet of {} Å has about {:.1f} million atoms and needs several GiB of memory",
+                    label_of(origins, "radius"), c.radius_A, 1.2e-6 * c.radius_A * c.radius_A));
+  }
+  return found;
+}
+
+}  // namespace
+
+bool has_given_constants(const Case& c) { return c.E_eV_per_A3 && c.thickness_A && c.nu; }
+
+double largest_depth_A(const Case& c) { return c.depth_max_A.value_or(depth_max_of_radius * c.radius_A); }
+
+double depth_step_A(const Case& c) {
+  constexpr double step_A = 2, reference_radius_A = 110;
+  if (c.depth_step_A) return *c.depth_step_A;
+  if (has_given_constants(c)) return step_A / reference_radius_A * c.radius_A;
+  return std::min(step_A, largest_depth_A(c));
+}
+
+std::vector<double> depth_levels(const Case& c) {
+  constexpr double same = 1e-9;  // relative; a last step shorter than this is rounding
+  const double depth_max = largest_depth_A(c), step = depth_step_A(c);
+  std::vector<double> levels;
+  for (int i = 1; i * step < depth_max * (1 - same); ++i) levels.push_back(i * step);
+  levels.push_back(depth_max);
+  return levels;
+}
+
+std::vector<std::string> check(const Case& c, const Origins& origins) {
+  check_given_constants(c, origins);
+  if (has_given_constants(c)) {
+    check_membrane(c, origins);
+  } else {
+    check_lattice(c, origins);
+  }
+  check_loads(c, origins);
+  check_levels(c, origins);
+  check_places(c.vacancies_A, "vacancies", c, origins);
+  check_places(c.stone_wales_A, "stone-wales", c, origins);
+  check_window(c, origins);
+  return warnings(c, origins);
+}
+
+}  // namespace validate

@@ -1,0 +1,187 @@
+#include "compare/process/child_process.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+#include "compare/base/errors.hpp"
+
+extern char** environ;
+
+namespace validate {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What MPI and OpenMP are told unless the user has said otherwise: run as root in containers, share the cores with
+/// the membrane, do not bind side-by-side runs to the same core, leave the core to others while waiting, and start no
+/// daemon for a single rank (it would have to be in PATH).
+std::vector<std::string> environment_for_children() {
+  std::vector<std::pair<std::string, std::string>> defaults = {{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
+                                                               {"OMPI_MCA_hwloc_base_binding_policy", "none"},
+                                                               {"OMPI_MCA_mpi_yield_when_idle", "1"},
+                                                               {"OMPI_MCA_ess_singleton_isolated", "1"},
+                                                               {"OMP_NUM_THREADS", "1"}};
+  if (::geteuid() == 0) {
+    defaults.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");
+    defaults.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+  }
+  std::vector<std::string> all;
+  for (char** variable = environ; *variable; ++variable) all.emplace_back(*variable);
+  for (const auto& [name, value] : defaults)
+    if (!std::getenv(name.c_str())) all.push_back(name + "=" + value);
+  return all;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (std::string& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+struct Pipe {
+  int read = -1, write = -1;
+  Pipe() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0)
+      throw Error(ExitCode::internal_error, std::string("no pipe: ") + std::strerror(errno));
+    read = ends[0];
+    write = ends[1];
+  }
+};
+
+/// In the new process, between fork and exec: only calls that are safe there.
+[[noreturn]] void become(const char* program, char** arguments, char** variables, const char* folder, int error_file,
+                         int output, int report, pid_t parent) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // mpiexec takes its ranks along
+  if (::getppid() != parent) ::_exit(127);
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  const bool ready = nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 &&
+                     ::dup2(error_file, 2) >= 0 && ::chdir(folder) == 0;
+  ::signal(SIGINT, SIG_DFL);
+  ::signal(SIGTERM, SIG_DFL);
+  if (ready) ::execve(program, arguments, variables);
+  const int reason = errno;
+  [[maybe_unused]] const auto written = ::write(report, &reason, sizeof reason);
+  ::_exit(127);
+}
+
+ChildEnd end_of(int status) {
+  if (WIFSIGNALED(status)) return {.exit_code = 0, .signal = WTERMSIG(status)};
+  return {.exit_code = WEXITSTATUS(status), .signal = 0};
+}
+
+}  // namespace
+
+std::optional<fs::path> find_program(const std::string& name) {
+  if (name.find('/') != std::string::npos)
+    return ::access(name.c_str(), X_OK) == 0 ? std::optional(fs::absolute(name)) : std::nullopt;
+  const char* path = std::getenv("PATH");
+  std::string folders = path ? path : "/usr/local/bin:/usr/bin:/bin";
+  for (std::size_t start = 0; start <= folders.size();) {
+    const std::size_t end = std::min(folders.find(':', start), folders.size());
+    const fs::path candidate = fs::path(folders.substr(start, end - start)) / name;
+    if (fs::is_regular_file(candidate) && ::access(candidate.c_str(), X_OK) == 0) return candidate;
+    start = end + 1;
+  }
+  return std::nullopt;
+}
+
+ChildProcess::ChildProcess(const ChildCommand& command) {
+  const auto program = find_program(command.words.front());
+  if (!program)
+    throw Error(ExitCode::atomistic_failed,
+                fmt::format("'{}' cannot be started: no such program in PATH", command.words.front()));
+  std::vector<std::string> words = command.words, variables = environment_for_children();
+  std::vector<char*> argument_pointers = pointers(words), variable_pointers = pointers(variables);
+  const int error_file =
+      ::open(command.standard_error.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (error_file < 0)
+    throw Error(ExitCode::file_failed,
+                fmt::format("cannot write '{}': {}", command.standard_error.string(), std::strerror(errno)));
+  const Pipe output, report;
+  const pid_t parent = ::getpid();
+  pid_ = ::fork();
+  if (pid_ == 0)
+    become(program->c_str(), argument_pointers.data(), variable_pointers.data(), command.folder.c_str(), error_file,
+           output.write, report.write, parent);
+  ::close(error_file);
+  ::close(output.write);
+  ::close(report.write);
+  output_ = output.read;
+  int reason = 0;
+  const bool failed = pid_ < 0 || ::read(report.read, &reason, sizeof reason) == sizeof reason;
+  ::close(report.read);
+  if (failed) {
+    if (pid_ > 0) ::waitpid(pid_, nullptr, 0);
+    ::close(output_);
+    throw Error(ExitCode::atomistic_failed,
+                fmt::format("'{}' cannot be started: {}", program->string(), std::strerror(reason)));
+  }
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : pid_(std::exchange(other.pid_, -1)),
+      output_(std::exchange(other.output_, -1)),
+      unfinished_line_(std::move(other.unfinished_line_)),
+      end_(other.end_) {}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ > 0 && !end_) stop();
+  if (output_ >= 0) ::close(output_);
+}
+
+std::vector<std::string> ChildProcess::read_lines() {
+  char buffer[65536];
+  const ssize_t got = ::read(output_, buffer, sizeof buffer);
+  if (got < 0 && (errno == EINTR || errno == EAGAIN)) return {};
+  if (got <= 0) {
+    ::close(std::exchange(output_, -1));
+    return {};
+  }
+  unfinished_line_.append(buffer, static_cast<std::size_t>(got));
+  std::vector<std::string> lines;
+  for (std::size_t end; (end = unfinished_line_.find('\n')) != std::string::npos;) {
+    lines.push_back(unfinished_line_.substr(0, end));
+    unfinished_line_.erase(0, end + 1);
+  }
+  return lines;
+}
+
+ChildEnd ChildProcess::wait() {
+  int status = 0;
+  while (!end_) {
+    if (::waitpid(pid_, &status, 0) == pid_) end_ = end_of(status);
+    else if (errno != EINTR) end_ = ChildEnd{.exit_code = 127};
+  }
+  return *end_;
+}
+
+ChildEnd ChildProcess::stop() {
+  using namespace std::chrono_literals;
+  if (end_) return *end_;
+  for (int signal : {SIGTERM, SIGKILL}) {
+    ::kill(-pid_, signal);
+    for (int i = 0; i < 50 && !end_; ++i) {
+      int status = 0;
+      if (::waitpid(pid_, &status, WNOHANG) == pid_) end_ = end_of(status);
+      else std::this_thread::sleep_for(20ms);
+    }
+  }
+  ::kill(-pid_, SIGKILL);  // whatever of the group is left
+  return wait();
+}
+
+}  // namespace validate

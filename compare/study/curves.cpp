@@ -1,0 +1,109 @@
+#include "compare/study/curves.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace validate {
+
+void append(Run& run, const membrane::Step& step) {
+  run.depth_A.push_back(step.depth_A);
+  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
+  run.force_eV_per_A.push_back(step.force_eV_per_A);
+  run.energy_eV.push_back(step.energy_eV);
+  run.converged.push_back(step.converged);
+  run.newton_iterations.push_back(step.newton_iterations);
+}
+
+namespace {
+
+/// Green–Lagrange strain counted from the lattice at rest, of a sheet that was stretched when flat.
+double from_rest(double strain, double stretch) { return stretch * stretch * strain + (stretch * stretch - 1) / 2; }
+
+double longest(const LongestBond& bond, const std::vector<membrane::axisymmetric::SheetPoint>& points, double stretch) {
+  double found = bond.rest_A;
+  for (const auto& p : points)
+    found = std::max(found, bond(from_rest(p.radial_strain, stretch), from_rest(p.hoop_strain, stretch)));
+  return found;
+}
+
+}  // namespace
+
+void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::optional<LongestBond>& longest_bond,
+            double stretch) {
+  run.depth_A.push_back(step.depth_A);
+  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
+  run.force_eV_per_A.push_back(step.force_eV_per_A);
+  run.energy_eV.push_back(step.energy_eV);
+  run.converged.push_back(step.converged);
+  run.newton_iterations.push_back(step.iterations);
+  if (longest_bond) run.longest_bond_A.push_back(longest(*longest_bond, step.points, stretch));
+}
+
+void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
+  run.depth_A.push_back(step.depth_A);
+  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
+  run.force_eV_per_A.push_back(step.force_eV_per_A);
+  run.energy_eV.push_back(step.energy_eV);
+  run.converged.push_back(step.converged);
+  run.longest_bond_A.push_back(step.longest_bond_A);
+  run.max_force_eV_per_A.push_back(step.max_force_eV_per_A);
+  run.balance_relative.push_back(step.balance_relative);
+  run.force_error_relative.push_back(step.force_error_relative);
+  run.artefact.push_back(step.longest_bond_A >= artefact_from_A);
+  run.force_evaluations.push_back(step.evaluations);
+  run.factorisations.push_back(step.factorisations);
+}
+
+namespace {
+
+double trapezoids(const std::vector<double>& x, const std::vector<double>& y, std::size_t first) {
+  double sum = 0;
+  for (std::size_t k = first + 1; k < x.size(); ++k) sum += (x[k] - x[k - 1]) * (y[k] + y[k - 1]) / 2;
+  return sum;
+}
+
+}  // namespace
+
+Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps) {
+  Unloading back{.load = run.load};
+  for (const atomistic::Step& step : steps) {
+    if (!step.unloading || !step.converged) continue;
+    back.depth_A.push_back(step.depth_A);
+    back.conjugate_depth_A.push_back(step.conjugate_depth_A);
+    back.force_eV_per_A.push_back(step.force_eV_per_A);
+  }
+  const std::size_t returned = back.depth_A.size(), loaded = run.depth_A.size();
+  if (returned == 0 || loaded <= returned) return back;
+  std::vector<double> d = back.conjugate_depth_A, f = back.force_eV_per_A;
+  d.insert(d.begin(), run.conjugate_depth_A.back());
+  f.insert(f.begin(), run.force_eV_per_A.back());
+  const double there = trapezoids(run.conjugate_depth_A, run.force_eV_per_A, loaded - 1 - returned);
+  back.hysteresis_relative = (there + trapezoids(d, f, 0)) / there;
+  return back;
+}
+
+void close(Run& run, const membrane::Report& report) {
+  run.triangles = report.triangles;
+  run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
+  run.ended_reason = report.reason;
+}
+
+void close(Run& run, const membrane::axisymmetric::SheetReport& report) {
+  run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
+  run.ended_reason = report.reason;
+}
+
+void close(Run& run, const atomistic::Report& report) {
+  switch (report.ended) {
+    case atomistic::Ended::depth_max: run.ended = Ended::depth_max; break;
+    case atomistic::Ended::artefact: run.ended = Ended::artefact; break;
+    case atomistic::Ended::rupture: run.ended = Ended::rupture; break;
+    case atomistic::Ended::not_converged: run.ended = Ended::not_converged; break;
+  }
+  run.ended_reason = report.reason;
+  if (const auto& c = report.contact)
+    run.contact = {c->force_change_relative, c->depth_change_A, c->force_change_at_equal_depth_relative,
+                   c->deepest_penetration_A};
+}
+
+}  // namespace validate

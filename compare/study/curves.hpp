@@ -1,0 +1,31 @@
+// Leaf results into runs: the columns of a curve, one step at a time.
+#pragma once
+
+#include <optional>
+
+#include "atomistic/problem.hpp"
+#include "compare/potential/law/calibrated_law.hpp"
+#include "compare/results/result.hpp"
+#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
+
+namespace validate {
+
+void append(Run& run, const membrane::Step& step);
+
+/// With the longest bond that the strains of the sheet predict, where the law knows it. `stretch` is the flat sheet's.
+void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::optional<LongestBond>& longest_bond,
+            double stretch);
+
+/// `artefact_from_A` is the potential's own length from which forces are an artefact.
+void append(Run& run, const atomistic::Step& step, double artefact_from_A);
+
+/// The way back, after `run` holds the way there. The lost work is integrated by the trapezoidal rule over both, which
+/// share their depths, so that the rule's error cancels; the depth common to both is the range.
+Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps);
+
+void close(Run& run, const membrane::Report& report);
+void close(Run& run, const membrane::axisymmetric::SheetReport& report);
+void close(Run& run, const atomistic::Report& report);
+
+}  // namespace validate

@@ -1,0 +1,37 @@
+// The comparison itself: card, curves of both models, fits and verdict, for one case.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "atomistic/lattice/sheet.hpp"
+#include "compare/process/atoms.hpp"
+#include "compare/input/case.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/input/potential_file.hpp"
+#include "compare/base/progress.hpp"
+#include "compare/results/result.hpp"
+
+namespace validate {
+
+struct StudyOptions {
+  AtomsLaunch launch;
+  int ranks = 0;                 ///< per curve; 0: chosen from the cores and the size of the sheet
+  std::filesystem::path folder;  ///< of the run; holds `work`
+  bool all_fields = false;       ///< keep the membranes' sheets at every depth, not at the last only
+};
+
+/// What a study produced, and what failed on the way: nothing computed is lost to a failure.
+struct StudyOutcome {
+  Result result;
+  std::optional<atomistic::Sheet> sheet;  ///< where atoms were asked for
+  std::string failure;  ///< of the atomistic program; empty: none
+  ExitCode failure_code = ExitCode::atomistic_failed;
+};
+
+/// Runs the case. `potential` is there unless the case has its own constants.
+StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
+                       Progress& progress);
+
+}  // namespace validate

@@ -1,0 +1,237 @@
+#include "compare/verdict/agreement.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "compare/fitting/curve.hpp"
+
+namespace validate {
+
+namespace {
+
+const Run* find_run(const Result& result, Model model, Constants constants, const std::string& load) {
+  const auto match = [&](const Run& run) {
+    return run.model == model && run.constants == constants && run.load == load;
+  };
+  const auto found = std::ranges::find_if(result.runs, match);
+  return found == result.runs.end() ? nullptr : &*found;
+}
+
+struct Judged {
+  std::vector<std::size_t> points;
+  double end_A = 0;     // of the range judged
+  std::string missing;  // why the window is not covered
+};
+
+// A depth that was asked for as lo·a or hi·a comes back with the solver's rounding.
+constexpr double depth_rounding = 1e-6;
+
+std::vector<std::size_t> by_depth(const Run& run, std::vector<std::size_t> points) {
+  std::ranges::sort(points, {}, [&](std::size_t i) { return run.depth_A[i]; });
+  return points;
+}
+
+std::vector<std::size_t> converged_points(const Run& run) {
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < run.depth_A.size(); ++i)
+    if (run.converged[i] && run.depth_A[i] > 0) points.push_back(i);
+  return by_depth(run, points);
+}
+
+// The window [lo, hi] in Å, cut off at the depth where the bond is too long or where the path was meant to end.
+Judged judged_points(const Run& atoms, double lo, double hi, double bond_A) {
+  const std::vector<std::size_t> order = by_depth(atoms, usable_points(atoms));
+  if (order.empty()) return {{}, 0, "the atoms' curve has no usable point"};
+  const double too_long = depth_at_bond(atoms, bond_A).value_or(std::numeric_limits<double>::infinity());
+  double end = std::min(hi, too_long);
+  if (atoms.ended == Ended::depth_max) end = std::min(end, atoms.depth_A[order.back()]);
+
+  const auto depth = [&](std::size_t i) { return atoms.depth_A[i]; };
+  const auto above_lo =
+      std::ranges::find_if(order, [&](std::size_t i) { return depth(i) > lo * (1 + depth_rounding); });
+  if (above_lo == order.begin())
+    return {{}, 0, fmt::format("the atoms' curve begins at depth/a = {:.3f}, the window at {:.3f}",
+                               depth(order.front()) / atoms.a_A, lo / atoms.a_A)};
+  auto last = std::ranges::find_if(order, [&](std::size_t i) { return depth(i) >= end * (1 - depth_rounding); });
+  if (last == order.end() && end < too_long)
+    return {{}, 0, fmt::format("the atoms' curve ends at depth/a = {:.3f} ({}), the window at {:.3f}",
+                               depth(order.back()) / atoms.a_A, to_string(atoms.ended), end / atoms.a_A)};
+  if (last != order.end() && depth(*last) < too_long) ++last;
+  if (above_lo >= last)
+    return {{}, 0, fmt::format("the atoms' curve has no point between depth/a = {:.3f} and {:.3f}", lo / atoms.a_A,
+                               end / atoms.a_A)};
+  return {{above_lo - 1, last}, end, {}};
+}
+
+// Fills the judged points; returns why that was not possible, or nothing.
+std::string compare_points(const Run& atoms, const std::vector<std::size_t>& points, const Curve& continuum,
+                           Agreement& agreement) {
+  for (const std::size_t i : points) {
+    const double depth = atoms.depth_A[i];
+    const std::optional<double> force = continuum.at(depth);
+    if (!force) {
+      return fmt::format(
+          "the {}'s curve covers depths from {:.2f} to {:.2f} Å, not the atoms' {:.2f} Å", agreement.against,
+          continuum.lowest_A(), continuum.highest_A(), depth);
+    }
+    const double ratio = atoms.force_eV_per_A[i] / *force;
+    agreement.depth_A.push_back(depth);
+    agreement.ratio.push_back(ratio);
+    agreement.max_relative_difference = std::max(agreement.max_relative_difference, std::abs(ratio - 1));
+  }
+  return {};
+}
+
+std::string judge_curves(const Run& atoms, const Run& continuum, double bond_A, Agreement& agreement) {
+  const Judged judged =
+      judged_points(atoms, agreement.window[0] * atoms.a_A, agreement.window[1] * atoms.a_A, bond_A);
+  if (!judged.missing.empty()) return judged.missing;
+  agreement.window[1] = judged.end_A / atoms.a_A;
+  try {
+    return compare_points(atoms, judged.points, Curve(continuum), agreement);
+  } catch (const std::invalid_argument& nothing_to_interpolate) {
+    return fmt::format("the {}'s usable points make no curve: {}", agreement.against, nothing_to_interpolate.what());
+  }
+}
+
+/// The continuum that a case asks for, as runs have it.
+struct Continuum {
+  Model model;
+  Constants constants;
+  const char* words;
+};
+
+Continuum continuum_of(const Case& asked) {
+  if (asked.against == "membrane") return {Model::membrane, Constants::card, "membrane (card constants)"};
+  return {Model::sheet, Constants::calibrated, "sheet (calibrated law)"};
+}
+
+}  // namespace
+
+std::optional<double> depth_at_bond(const Run& run, double bond_A) {
+  if (run.longest_bond_A.size() != run.depth_A.size()) return std::nullopt;
+  double depth_before = 0, bond_before = 0;
+  for (const std::size_t i : converged_points(run)) {
+    const double bond = run.longest_bond_A[i];
+    if (bond >= bond_A) {
+      if (!(bond_before > 0)) return run.depth_A[i];
+      return std::lerp(depth_before, run.depth_A[i], (bond_A - bond_before) / (bond - bond_before));
+    }
+    depth_before = run.depth_A[i];
+    bond_before = bond;
+  }
+  return std::nullopt;
+}
+
+void judge(Result& result) {
+  const Case& asked = result.resolved;
+  result.agreement.reset();
+  const Continuum against = continuum_of(asked);
+  const Run* atoms = find_run(result, Model::atomistic, Constants::none, asked.judged_load);
+  const Run* continuum = find_run(result, against.model, against.constants, asked.judged_load);
+  if (!atoms || !continuum) {
+    result.agreement_skipped =
+        fmt::format("there is no {} run of the {} load", atoms ? against.words : "atomistic", asked.judged_load);
+    if (atoms && against.model == Model::sheet && !result.law_missing.empty())
+      result.agreement_skipped += ": " + result.law_missing;
+    return;
+  }
+  Agreement agreement;
+  agreement.load = asked.judged_load;
+  agreement.against = to_string(continuum->model);
+  agreement.window = {asked.window.at(0), asked.window.at(1)};
+  agreement.tolerance = asked.tolerance;
+  result.agreement_skipped = judge_curves(*atoms, *continuum, asked.window_bond_A, agreement);
+  if (!result.agreement_skipped.empty()) return;
+  agreement.passed = agreement.max_relative_difference <= agreement.tolerance;
+  result.agreement = std::move(agreement);
+}
+
+namespace {
+
+/// Depth at which a ratio that falls with depth passes a value, between the points around it.
+double crossing(const Comparison& c, double value) {
+  for (std::size_t i = 1; i < c.depth_A.size(); ++i) {
+    const double before = c.force_ratio[i - 1], here = c.force_ratio[i];
+    if (!(before > value && here <= value)) continue;
+    return std::lerp(c.depth_A[i - 1], c.depth_A[i], (before - value) / (before - here));
+  }
+  return not_known;
+}
+
+Regime regime_of(double ratio, bool artefact, double tolerance) {
+  if (artefact) return Regime::artefact;
+  if (ratio > 1 + tolerance) return Regime::bending;
+  return ratio < 1 - tolerance ? Regime::softening : Regime::membrane;
+}
+
+Curve curve_of(const Run& run, const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> at, value;
+  for (const std::size_t i : usable_points(run)) {
+    at.push_back(x[i]);
+    value.push_back(y[i]);
+  }
+  return Curve(at, value);
+}
+
+/// Ratio of the atoms' force to that of another continuum, at the depths of a comparison.
+std::vector<double> ratios_to(const Run* continuum, const Run& atoms, const std::vector<std::size_t>& points) {
+  std::vector<double> ratios(points.size(), not_known);
+  if (!continuum || usable_points(*continuum).size() < 2) return ratios;
+  const Curve curve(*continuum);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (const auto F = curve.at(atoms.depth_A[points[k]])) ratios[k] = atoms.force_eV_per_A[points[k]] / *F;
+  return ratios;
+}
+
+Comparison comparison_of(const Result& result, const Run& atoms, const Run& membrane) {
+  const double tolerance = result.resolved.regime_tolerance;
+  const Curve force(membrane), energy = curve_of(membrane, membrane.depth_A, membrane.energy_eV),
+                               depth = curve_of(membrane, membrane.force_eV_per_A, membrane.depth_A);
+  Comparison c;
+  c.load = atoms.load;
+  std::vector<std::size_t> points;
+  for (const std::size_t i : converged_points(atoms)) {
+    const auto F = force.at(atoms.depth_A[i]), W = energy.at(atoms.depth_A[i]);
+    if (!F || !W) continue;
+    points.push_back(i);
+    c.depth_A.push_back(atoms.depth_A[i]);
+    c.depth_relative.push_back(atoms.depth_A[i] / atoms.a_A);
+    c.force_ratio.push_back(atoms.force_eV_per_A[i] / *F);
+    c.energy_ratio.push_back(atoms.energy_eV[i] / *W);
+    const auto d = depth.at(atoms.force_eV_per_A[i]);
+    c.depth_ratio.push_back(d ? atoms.depth_A[i] / *d : not_known);
+    c.regime.push_back(regime_of(c.force_ratio.back(), atoms.artefact[i], tolerance));
+    if (atoms.artefact[i] && !std::isfinite(c.artefact_from_A)) c.artefact_from_A = atoms.depth_A[i];
+  }
+  const Run* sheet = find_run(result, Model::sheet, Constants::calibrated, atoms.load);
+  c.sheet_ratio = ratios_to(sheet, atoms, points);
+  c.calibrated_membrane_ratio =
+      ratios_to(find_run(result, Model::membrane, Constants::calibrated, atoms.load), atoms, points);
+  if (sheet) c.predicted_artefact_from_A = depth_at_bond(*sheet, artefact_bond_of(result)).value_or(not_known);
+  c.bending_to_A = crossing(c, 1 + tolerance);
+  c.softening_from_A = crossing(c, 1 - tolerance);
+  return c;
+}
+
+}  // namespace
+
+void compare_curves(Result& result) {
+  result.comparisons.clear();
+  for (const Run& atoms : result.runs) {
+    if (atoms.model != Model::atomistic) continue;
+    const Run* membrane = find_run(result, Model::membrane, Constants::card, atoms.load);
+    if (!membrane) continue;
+    try {
+      result.comparisons.push_back(comparison_of(result, atoms, *membrane));
+    } catch (const std::invalid_argument&) {  // too few points for a curve
+    }
+  }
+}
+
+}  // namespace validate

@@ -1,0 +1,240 @@
+// Follows the levels of a round sheet: solve() of sheet.hpp.
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "membrane/meridian/newton.hpp"
+#include "membrane/meridian/predictor.hpp"
+#include "membrane/meridian/record.hpp"
+#include "membrane/meridian/setup.hpp"
+#include "membrane/meridian/sheet.hpp"
+
+namespace membrane::axisymmetric {
+namespace {
+
+constexpr int most_cuts = 12;                // failed attempts on the way to one level …
+constexpr int most_factorisations = 5000;    // … and work on it: most take thirty …
+constexpr int most_for_the_first = 30000;    // … but the way out of the flat sheet can take thousands
+constexpr int most_corrections = 40;
+constexpr double force_tolerance = 1e-10;
+constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
+constexpr double last_slack = 1e-8;      // … until the gap that bears the force is this share of the depth
+constexpr double close_enough = 0.98;     // to that
+constexpr double no_contact = 1e-14;      // of the energy: the sheet is clear of the sphere
+constexpr double barrier_decay = 0.1;     // at each stride; later strides are longer
+
+class Path {
+ public:
+  explicit Path(const SheetProblem& problem)
+      : problem_(problem),
+        assembly_(assembly_of(problem)),
+        newton_(assembly_),
+        pattern_(pattern_of(problem, assembly_)),
+        predictor_(tip_shape(problem, assembly_, pattern_), problem.pressure_eV_per_A3 == 0) {}
+
+  SheetReport follow(const OnSheetStep& on_step) {
+    SheetReport report{true, "every level was reached", assembly_.element_count(), 0};
+    if (problem_.pressure_eV_per_A3 != 0) reach_pressure(problem_.pressure_eV_per_A3);
+    for (std::size_t i = 0; i < problem_.levels.size(); ++i) {
+      iterations_ = 0;
+      const Attempt end = level(problem_.levels[i]);
+      const bool reached = end.equilibrium.converged;
+      const bool go_on = on_step(step(static_cast<int>(i), end));
+      if (reached && go_on) continue;
+      report.converged = reached && i + 1 == problem_.levels.size();
+      report.reason = reached ? "ended by the caller" : failure(i, end.equilibrium);
+      break;
+    }
+    report.factorisations = newton_.factorisations();
+    return report;
+  }
+
+ private:
+  struct Attempt {
+    Equilibrium equilibrium;
+    Known known;
+  };
+
+  Attempt level(double value) {
+    if (std::holds_alternative<PressureLoad>(problem_.load)) return reach_pressure(value);
+    return problem_.control == Control::force ? reach_force(value) : reach_depth(value);
+  }
+
+  /// Goes to a value of what is controlled from where the path stands; where an attempt fails, a value
+  /// between is reached first.
+  template <class Try, class Here>
+  Attempt reach(double value, Try attempt, Here here) {
+    const bool first = !predictor_.last();
+    Attempt at = attempt(value);
+    std::vector<double> between;  // the next one last
+    const int most = newton_.factorisations() + (first ? most_for_the_first : most_factorisations);
+    const auto goes_on = [&](int cuts) { return cuts < most_cuts && newton_.factorisations() < most; };
+    for (int cuts = 0; !at.equilibrium.converged && goes_on(cuts);) {
+      const double target = between.empty() ? value : between.back();
+      between.push_back(predictor_.last() ? 0.5 * (here() + target) : target / 8);
+      ++cuts;
+      while (!between.empty() && attempt(between.back()).equilibrium.converged) between.pop_back();
+      if (between.empty()) at = attempt(value);
+    }
+    return at;
+  }
+
+  Attempt reach_pressure(double pressure) {
+    return reach(
+        pressure, [&](double p) { return bulge(p); }, [&] { return pressure_; });
+  }
+
+  Attempt reach_depth(double depth) {
+    return reach(
+        depth, [&](double d) { return attempt(d); }, [&] { return predictor_.last()->depth_A; });
+  }
+
+  /// The sheet under pressure alone.
+  Attempt bulge(double pressure) {
+    std::get<Pressure>(assembly_.terms()[pressure_term]).pressure_eV_per_A3 = pressure;
+    Attempt at;
+    at.known.x = predictor_.last() ? predictor_.last()->x : bulge_shape(problem_, assembly_, pressure);
+    find({}, at);
+    at.known.depth_A = conjugate_depth(pattern_, at.known.x);
+    if (at.equilibrium.converged) {
+      predictor_.add(at.known);
+      pressure_ = pressure;
+    }
+    return at;
+  }
+
+  /// Secants in log force over log depth, which is nearly straight.
+  Attempt reach_force(double force) {
+    Attempt at = reach_depth(predictor_.last() ? predictor_.depth_at(force) : start_depth(problem_, force));
+    for (int i = 0; i < most_corrections && at.equilibrium.converged; ++i) {
+      if (std::abs(at.known.force_eV_per_A - force) <= force_tolerance * force) return at;
+      if (!(at.known.force_eV_per_A > 0)) break;
+      at = reach_depth(predictor_.depth_at(force));
+    }
+    if (at.equilibrium.converged)
+      at.equilibrium.reason = "no depth was found at which the load has this force";
+    at.equilibrium.converged = false;
+    return at;
+  }
+
+  Attempt attempt(double depth) {
+    Attempt at{{}, {depth, 0, predictor_.at(depth)}};
+    if (assembly_.contact()) {
+      press(at);
+    } else {
+      find(pattern_, at);
+      at.known.force_eV_per_A = at.equilibrium.force_eV_per_A;
+    }
+    if (at.equilibrium.converged) predictor_.add(at.known);
+    return at;
+  }
+
+  /// The sphere at a depth: an interior point method.
+  void press(Attempt& at) {
+    SphereContact& contact = *assembly_.contact();
+    contact.depth_A = at.known.depth_A;
+    clear_sphere(at.known.x);
+    const double area = std::numbers::pi * contact.radius_A * contact.radius_A;
+    const double unit = sheet_energy(at.known.x) / area;
+    double share = first_barrier;
+    contact.barrier_eV_per_A2 = share * unit;
+    assembly_.start_pressures(at.known.x);
+    for (;;) {
+      find({}, at);
+      if (!at.equilibrium.converged) return;
+      const Bearing bearing = bearing_of(at.known.x);
+      at.known.force_eV_per_A = bearing.force_eV_per_A;
+      const double farther = last_slack * depth_scale() / bearing.gap_A;  // the gap is proportional to the barrier
+      if (farther > close_enough || share < no_contact) return;
+      share *= std::max(farther, std::min(barrier_decay, std::sqrt(share)));
+      contact.barrier_eV_per_A2 = share * unit;
+    }
+  }
+
+  /// Of stretching and bending: the pressure's has either sign.
+  double sheet_energy(const Eigen::VectorXd& x) {
+    Eigen::VectorXd gradient;
+    assembly_.contact()->barrier_eV_per_A2 = 0;
+    assembly_.energy(x, gradient);
+    return std::abs(assembly_.parts()[stretching_term]) + assembly_.parts()[bending_term];
+  }
+
+  /// A pressure can lift the sheet to where the sphere's depth is zero or less.
+  double depth_scale() const {
+    const SphereContact& contact = *assembly_.contact();
+    return std::max(std::abs(contact.depth_A), 1e-3 * contact.radius_A);
+  }
+
+  /// What the sphere bears, and across which gap: the mean over the rings by the square of their forces.
+  struct Bearing {
+    double force_eV_per_A = 0, gap_A = 0;
+  };
+  Bearing bearing_of(const Eigen::VectorXd& x) const {
+    const SphereContact& contact = *assembly_.contact();
+    double vertical = 0, squares = 0, weighted = 0;
+    assembly_.over_contact(x, [&](const Ring& ring, const LocalState& y) {
+      const double gap = contact.gap(ring, y);
+      const double force = ring.area_A2 * contact.barrier_eV_per_A2 / gap;
+      vertical += force * contact.normal(ring, y)[W];
+      squares += force * force;
+      weighted += force * force * gap;
+    });
+    return {vertical, weighted / squares};
+  }
+
+  /// Deepens a shape until it is clear of the sphere.
+  void clear_sphere(Eigen::VectorXd& x) const {
+    const SphereContact& contact = *assembly_.contact();
+    double farther = 1e-3 * std::min(depth_scale(), contact.radius_A);
+    const auto least_gap = [&](const Eigen::VectorXd& shape) {
+      double least = std::numeric_limits<double>::infinity();
+      assembly_.over_contact(
+          shape, [&](const Ring& ring, const LocalState& y) { least = std::min(least, contact.gap(ring, y)); });
+      return least;
+    };
+    const Eigen::VectorXd from = x;
+    for (; !(least_gap(x) > 0); farther *= 2) x = from + farther * predictor_.unit();
+  }
+
+  void find(const Eigen::VectorXd& pattern, Attempt& at) {
+    at.equilibrium = newton_.solve(pattern, at.known.x);
+    iterations_ += at.equilibrium.iterations;
+  }
+
+  SheetStep step(int level, const Attempt& end) {
+    SheetStep step = record(problem_, assembly_, end.known.x);
+    step.level = level;
+    step.converged = end.equilibrium.converged;
+    step.conjugate_depth_A = std::holds_alternative<PressureLoad>(problem_.load) ? 0 : end.known.depth_A;
+    step.force_eV_per_A = end.known.force_eV_per_A;
+    step.relative_residual = end.equilibrium.relative_residual;
+    step.iterations = iterations_;
+    return step;
+  }
+
+  std::string failure(std::size_t level, const Equilibrium& at) const {
+    std::ostringstream text;
+    text << "level " << level << " (" << problem_.levels[level] << "): " << at.reason
+         << "; relative residual " << at.relative_residual;
+    return text.str();
+  }
+
+  const SheetProblem& problem_;
+  Assembly assembly_;
+  Newton newton_;
+  Eigen::VectorXd pattern_;
+  Predictor predictor_;
+  double pressure_ = 0;  ///< of the last bulge that was found, eV/Å³
+  int iterations_ = 0;   ///< on the way to the present level, cut-backs included
+};
+
+}  // namespace
+
+SheetReport solve(const SheetProblem& problem, const OnSheetStep& on_step) {
+  check(problem);
+  return Path(problem).follow(on_step);
+}
+
+}  // namespace membrane::axisymmetric

@@ -1,0 +1,217 @@
+// Follows the levels of a problem from the flat sheet: solve() of problem.hpp.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "membrane/path/drive.hpp"
+#include "membrane/laws/principal.hpp"
+#include "membrane/triangles/model.hpp"
+#include "membrane/triangles/newton.hpp"
+#include "membrane/triangles/predictor.hpp"
+#include "membrane/problem.hpp"
+
+namespace membrane {
+namespace {
+
+constexpr int most_cuts = 12;         // failed attempts on the way to one level
+constexpr int most_contact_rounds = 40;  // updates of the contact forces at one value
+
+/// Where a search for an equilibrium ended, converged or not.
+struct Attempt {
+  Equilibrium equilibrium;
+  Eigen::VectorXd u;  ///< Å
+};
+
+class LoadPath {
+ public:
+  explicit LoadPath(const Problem& problem)
+      : problem_(problem),
+        model_(problem),
+        record_(mean_on_circle(model_.mesh(), problem.record_radius_A)),
+        newton_(model_.energy(), model_.pattern().direction(), problem.solver) {}
+
+  Report follow(const OnStep& on_step) {
+    report_.triangles = static_cast<int>(model_.mesh().triangles.size());
+    if (inflate()) go_through_levels(on_step);
+    report_.factorisations = newton_.factorisations();
+    report_.assemblies = model_.energy().passes();
+    return report_;
+  }
+
+ private:
+  /// The constant pressure comes first, as a path of its own.
+  bool inflate() {
+    if (problem_.pressure_eV_per_A3 == 0) {
+      drive_ = make_drive(problem_, model_, newton_);
+      return true;
+    }
+    drive_ = pressure_drive(problem_, model_, newton_);
+    const Attempt end = reach(problem_.pressure_eV_per_A3);
+    if (!end.equilibrium.converged) {
+      report_.reason = "the constant pressure: " + end.equilibrium.reason;
+      return false;
+    }
+    drive_ = make_drive_from(problem_, model_, newton_, end.u);
+    return true;
+  }
+
+  void go_through_levels(const OnStep& on_step) {
+    report_.reason = "every level was reached";
+    report_.converged = true;
+    for (std::size_t i = 0; i < problem_.levels.size(); ++i) {
+      iterations_ = 0;
+      const Attempt end = reach(problem_.levels[i]);
+      const bool reached = end.equilibrium.converged;
+      const bool go_on = on_step(step(static_cast<int>(i), end));
+      if (reached && go_on) continue;
+      report_.converged = reached && i + 1 == problem_.levels.size();
+      report_.reason = reached ? "ended by the caller" : failure(i, end.equilibrium);
+      break;
+    }
+  }
+
+  /// Goes to a value of what the levels prescribe; where an attempt fails, a value between is reached first, and the
+  /// steps grow again from there. Returns the last attempt at the value itself.
+  Attempt reach(double value) {
+    Attempt at = attempt(value);
+    std::vector<double> between;  // unreported stations, the next one last
+    for (int cuts = 0; !at.equilibrium.converged && cuts < most_cuts;) {
+      const double target = between.empty() ? value : between.back();
+      between.push_back(drive_->between(target));
+      note_cut(target, between.back(), at.equilibrium);
+      ++cuts;
+      while (!between.empty()) {
+        const Attempt station = attempt(between.back());
+        if (!station.equilibrium.converged) {
+          at.equilibrium.reason = station.equilibrium.reason;
+          break;
+        }
+        between.pop_back();
+      }
+      if (between.empty()) at = attempt(value);
+    }
+    return at;
+  }
+
+  Attempt attempt(double value) {
+    Attempt attempt{{}, drive_->guess(value)};
+    attempt.equilibrium = settle(drive_->target(value), attempt.u);
+    iterations_ += attempt.equilibrium.iterations;
+    if (attempt.equilibrium.converged) drive_->passed(value, attempt.equilibrium, attempt.u);
+    return attempt;
+  }
+
+  /// Equilibrium with the contact forces that belong to it.
+  Equilibrium settle(const Target& target, Eigen::VectorXd& u) {
+    Equilibrium at = newton_.solve(target, u);
+    int iterations = at.iterations;
+    for (int round = 0; at.converged && round < most_contact_rounds; ++round) {
+      bool settled = true;
+      for (Obstacle* obstacle : model_.obstacles())
+        if (obstacle->update_multipliers(u) > obstacle->tolerance_A()) settled = false;
+      if (settled) break;
+      at = newton_.solve(target, u, FirstFactor::kept);
+      iterations += at.iterations;
+      if (round + 1 == most_contact_rounds && at.converged) {
+        at.converged = false;
+        at.reason = "the contact does not settle";
+      }
+    }
+    at.iterations = iterations;
+    return at;
+  }
+
+  void note_cut(double target, double between, const Equilibrium& at) {
+    std::ostringstream text;
+    text << "on the way to " << target << ": " << at.reason << "; trying " << between << " first";
+    report_.cuts.push_back(text.str());
+  }
+
+  std::string failure(std::size_t level, const Equilibrium& at) const {
+    std::ostringstream text;
+    text << "level " << level << " (" << problem_.levels[level] << " " << drive_->unit() << "): " << at.reason
+         << "; relative residual " << at.relative_residual;
+    return text.str();
+  }
+
+  double rim_membrane_force(const Eigen::VectorXd& u) {
+    const Mesh& mesh = model_.mesh();
+    double largest = 0;
+    for (int t : mesh.rim_triangles) {
+      const Voigt force = membrane_force(model_.stretching().material(), strain_of(mesh.triangles[t], u));
+      largest = std::max(largest, principal_forces(force).larger);
+    }
+    return largest;
+  }
+
+  /// What the supports do: forces on all nodes they hold, and their sum over the full sheet.
+  void add_reactions(Step& step) const {
+    const Mesh& mesh = model_.mesh();
+    step.reactions = Eigen::VectorXd::Zero(3 * mesh.node_count());
+    for (int n = 0; n < mesh.node_count(); ++n)
+      for (int c = 0; c < 3; ++c)
+        if (mesh.held[n][c]) step.reactions[3 * n + c] = newton_.gradient()[3 * n + c];
+    step.support_force_eV_per_A = mesh.copies * step.reactions.reshaped(3, mesh.node_count()).rowwise().sum();
+    if (mesh.copies > 1) step.support_force_eV_per_A.head<2>().setZero();
+    if (const auto* motion = std::get_if<EdgeMotion>(&problem_.load)) add_edge_reaction(*motion, step);
+  }
+
+  void add_edge_reaction(const EdgeMotion& motion, Step& step) const {
+    const Mesh& mesh = model_.mesh();
+    const double level = problem_.levels[step.level];
+    const Eigen::Vector2d pivot = motion.pivot_A + level * motion.translation_A.head<2>();
+    for (int node : mesh.edges.at(motion.edge)) {
+      const Eigen::Vector3d force = step.reactions.segment<3>(3 * node);
+      const Eigen::Vector2d arm = mesh.nodes[node] + step.displacements.segment<2>(3 * node) - pivot;
+      step.edge_force_eV_per_A += force;
+      step.edge_torque_eV += arm.x() * force.y() - arm.y() * force.x();
+    }
+  }
+
+  Step step(int level, const Attempt& end) {
+    const Mesh& mesh = model_.mesh();
+    const int copies = mesh.copies;
+    const Equilibrium& at = end.equilibrium;
+    const Eigen::VectorXd transverse = Model::transverse(end.u);
+    Step step;
+    step.level = level;
+    step.converged = at.converged;
+    step.depth_A = record_.dot(transverse.head(mesh.node_count()));
+    step.conjugate_depth_A = model_.pattern().weights.dot(transverse);
+    step.force_eV_per_A = copies * at.force_eV_per_A;
+    step.pressure_eV_per_A3 = model_.pressure_towards_tip();
+    step.volume_A3 = -copies * model_.pressure().volume(end.u);
+    if (std::holds_alternative<PressureLoad>(problem_.load))
+      step.conjugate_depth_A = step.volume_A3 / (copies * mesh.area_A2());
+    step.bending_energy_eV = copies * model_.bending_energy(end.u);
+    step.energy_eV = copies * model_.stretching_energy(end.u) + step.bending_energy_eV;
+    step.relative_residual = at.relative_residual;
+    step.residual_history = at.residual_history;
+    step.smallest_pivot_sign = at.smallest_pivot_sign;
+    for (const Obstacle* obstacle : model_.obstacles())
+      step.penetration_A = std::max(step.penetration_A, obstacle->penetration(end.u));
+    step.rim_membrane_force_eV_per_A2 = rim_membrane_force(end.u);
+    step.newton_iterations = iterations_;
+    step.displacements = end.u.head(3 * mesh.node_count());
+    add_reactions(step);
+    return step;
+  }
+
+  const Problem& problem_;
+  Model model_;
+  Eigen::VectorXd record_;
+  Newton newton_;
+  std::unique_ptr<Drive> drive_;
+  Report report_;
+  int iterations_ = 0;  ///< on the way to the present level, cut-backs included
+};
+
+}  // namespace
+
+Report solve(const Problem& problem, const OnStep& on_step) {
+  check(problem);
+  return LoadPath(problem).follow(on_step);
+}
+
+}  // namespace membrane

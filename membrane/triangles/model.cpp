@@ -1,0 +1,153 @@
+#include "membrane/triangles/model.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "membrane/base/fault.hpp"
+#include "membrane/laws/prestress.hpp"
+#include "membrane/laws/principal.hpp"
+#include "membrane/base/refusal.hpp"
+
+namespace membrane {
+namespace {
+
+/// Contact stiffness over the sheet modulus: above that of the sheet's elements, so that few updates of the multipliers
+/// settle a contact, and not so far that it spoils the tangent's condition.
+constexpr double contact_stiffness = 10;
+
+/// Contact radius over the sphere's at strong indentation: inside, rings are equally wide.
+constexpr double likely_contact = 0.5;
+
+/// A round sheet of an isotropic law under a round load looks the same from every side: the prestress is
+/// turned to its own axes, which makes the two planes of the quarter planes of symmetry for any prestress.
+Voigt prestress_on_axes(const Problem& problem, const Mesh& mesh) {
+  const Eigen::Matrix2d& p = problem.prestress_eV_per_A2;
+  if (mesh.rings.empty() || mesh.copies == 1 || !is_isotropic(problem.law)) return {p(0, 0), p(1, 1), p(0, 1)};
+  const Principal principal(p(0, 0), p(1, 1), p(0, 1));
+  return {principal.smaller, principal.larger, 0};
+}
+
+struct RadiusOfLoad {
+  double operator()(const DiscLoad& disc) const { return disc.radius_A; }
+  double operator()(const RadialLoad& radial) const { return radial.radius_A.back(); }
+  double operator()(const SphereLoad& sphere) const { return likely_contact * sphere.radius_A; }
+  double operator()(const auto&) const { return 0; }
+};
+
+/// Linear between the pairs of a RadialLoad.
+double density_at(const RadialLoad& load, double r) {
+  const auto above = std::lower_bound(load.radius_A.begin(), load.radius_A.end(), r) - load.radius_A.begin();
+  if (above == 0) return load.density.front();
+  if (above == static_cast<std::ptrdiff_t>(load.radius_A.size())) return load.density.back();
+  const double share = (r - load.radius_A[above - 1]) / (load.radius_A[above] - load.radius_A[above - 1]);
+  return (1 - share) * load.density[above - 1] + share * load.density[above];
+}
+
+struct PatternOf {
+  const Mesh& mesh;
+  Pattern operator()(const PointLoad&) const { return {mean_on_circle(mesh, 0)}; }
+  Pattern operator()(const DiscLoad& disc) const { return disc_pattern(mesh, disc.radius_A); }
+  Pattern operator()(const RadialLoad& load) const {
+    return radial_pattern(mesh, load.radius_A.back(), [&](double r) { return density_at(load, r); });
+  }
+  Pattern operator()(const SphereLoad&) const { return point_pattern(mesh.node_count() + 1, mesh.node_count()); }
+  Pattern operator()(const auto&) const { return {Eigen::VectorXd::Zero(mesh.node_count())}; }
+};
+
+bool may_cross_planes(const Problem& problem) {
+  const auto* rectangle = std::get_if<RectangleSheet>(&problem.sheet);
+  return rectangle && rectangle->extent == Extent::quarter && !broken(Fault::open_mirror);
+}
+
+Held all_held(const Mesh& mesh, bool with_indenter, const BendingTerm* bending) {
+  Held held = mesh.held;
+  if (with_indenter) held.push_back({true, true, false});
+  if (!bending) return held;
+  const Held rotations = bending->held_rotations();
+  held.insert(held.end(), rotations.begin(), rotations.end());
+  return held;
+}
+
+/// Length over which a sheet that is stretched as much as it can be still bends, √(κ/E·h), Å; 0 where it does not bend.
+double layer_A(const Problem& problem) {
+  return problem.bending ? std::sqrt(problem.bending->mean_eV / sheet_modulus(problem.law)) : 0;
+}
+
+}  // namespace
+
+Material material_of(const Problem& problem, const Mesh& mesh) {
+  const Voigt prestress = prestress_on_axes(problem, mesh);
+  const Voigt offset = std::visit([&](const auto& law) { return offset_strain(law, prestress); }, problem.law);
+  if (!offset.allFinite())
+    refuse("prestress_eV_per_A2", prestress.transpose(), "the law cannot carry this prestress");
+  return {problem.law, offset, problem.relaxed};
+}
+
+double load_radius_A(const Load& load) { return std::visit(RadiusOfLoad{}, load); }
+
+Mesh mesh_of(const Problem& problem) {
+  Mesh mesh = make_mesh(problem.sheet, {load_radius_A(problem.load), problem.record_radius_A, layer_A(problem),
+                                        std::holds_alternative<PointLoad>(problem.load)});
+  const auto* motion = std::get_if<EdgeMotion>(&problem.load);
+  const bool in_plane = motion && motion->translation_A.z() == 0 && problem.pressure_eV_per_A3 == 0;
+  if (in_plane)
+    for (auto& held : mesh.held) held[2] = true;  // nothing pulls it out of its plane
+  return mesh;
+}
+
+Model::Model(const Problem& problem)
+    : mesh_(mesh_of(problem)), stretching_(mesh_, material_of(problem, mesh_)), pressure_(mesh_) {
+  const double stiffness = contact_stiffness * sheet_modulus(problem.law);
+  std::vector<EnergyTerm*> terms{&stretching_, &pressure_};
+  if (const auto* sphere = std::get_if<SphereLoad>(&problem.load)) {
+    sphere_ = std::make_unique<SphereObstacle>(mesh_, sphere->radius_A, stiffness);
+    obstacles_.push_back(sphere_.get());
+  }
+  if (problem.bending) {
+    bending_ = std::make_unique<BendingTerm>(mesh_, *problem.bending, first_rotation_node());
+    terms.push_back(bending_.get());
+  }
+  if (may_cross_planes(problem)) {
+    planes_ = std::make_unique<MirrorPlanes>(mesh_, stiffness);
+    obstacles_.push_back(planes_.get());
+  }
+  terms.insert(terms.end(), obstacles_.begin(), obstacles_.end());
+  energy_ = std::make_unique<TotalEnergy>(all_held(mesh_, sphere_ != nullptr, bending_.get()), terms);
+  pattern_ = std::visit(PatternOf{mesh_}, problem.load).padded(energy_->dof_count() / 3);
+}
+
+void Model::move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const {
+  const Eigen::Rotation2Dd turn(level * motion.rotation_rad);
+  for (int node : mesh_.edges.at(motion.edge)) {
+    const Eigen::Vector2d arm = mesh_.nodes[node] - motion.pivot_A;
+    u.segment<3>(3 * node) = level * motion.translation_A;
+    u.segment<2>(3 * node) += turn * arm - arm;
+  }
+}
+
+double Model::stretching_energy(const Eigen::VectorXd& u) {
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(u.size());
+  return stretching_.add_gradient(u, unused);
+}
+
+double Model::bending_energy(const Eigen::VectorXd& u) {
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(u.size());
+  return bending_ ? bending_->add_gradient(u, unused) : 0;
+}
+
+void Model::park_indenter(Eigen::VectorXd& u) const {
+  if (sphere_) u[indenter_dof()] = 2 * mesh_.rings.back().radius_A;
+}
+
+void Model::clear_sphere(const SphereLoad& sphere, Eigen::VectorXd& u) const {
+  const double lowest = u[indenter_dof()];
+  for (int n = 0; n < mesh_.node_count(); ++n) {
+    const double r = (mesh_.nodes[n] + u.segment<2>(3 * n)).norm();
+    if (r >= sphere.radius_A || mesh_.held[n][2]) continue;
+    const double surface = lowest + sphere.radius_A - std::sqrt(sphere.radius_A * sphere.radius_A - r * r);
+    u[3 * n + 2] = std::min(u[3 * n + 2], surface);
+  }
+}
+
+}  // namespace membrane
