@@ -27,9 +27,8 @@ struct Card {
   double energy_per_atom_eV = 0;
   double C11_eV_per_A2 = 0, C12_eV_per_A2 = 0, C66_eV_per_A2 = 0;
   double bending_modulus_zigzag_eV = 0, bending_modulus_armchair_eV = 0;
-  double sublattice_stiffness_eV_per_A2 =
-      0;                      ///< out of plane, per atom, one sublattice moved against the other
-  double bond_softening = 0;  ///< s in the bond stiffness k (1 − s ε) under equibiaxial strain ε
+  double sublattice_stiffness_eV_per_A2 = 0;  ///< out of plane, per atom, one sublattice moved against the other
+  double bond_softening = 0;                  ///< s in the bond stiffness k (1 − s ε) under equibiaxial strain ε
 
   double bond_A() const { return a0_A / 1.7320508075688772; }
   double area_per_atom_A2() const { return 0.4330127018922193 * a0_A * a0_A; }
@@ -46,8 +45,8 @@ struct DiscLoad {
   double radius_A = 0;
 };
 
-/// Rigid frictionless sphere, pressed down along the axis. Atoms (as points) inside it are pushed out along its radius r
-/// with the force K (radius − r)², LAMMPS's `fix indent`. The conjugate depth is that of its lowest point.
+/// Rigid frictionless sphere, pressed down along the axis. Atoms (as points) inside it are pushed out along its radius
+/// r with the force K (radius − r)², LAMMPS's `fix indent`. The conjugate depth is that of its lowest point.
 struct SphereLoad {
   double radius_A = 0;
   double stiffness_eV_per_A3 = 100;  ///< K; an atom that carries 0.2 eV/Å is 0.045 Å inside
@@ -75,13 +74,13 @@ struct SheetForm {
   Shape shape = Shape::disc;
   Edge edge = Edge::clamped;
   Centre centre = Centre::hexagon;
-  double rotation_deg = 0;                    ///< of the lattice about the axis, counter-clockwise
-  std::vector<Eigen::Vector2d> vacancies;     ///< the atom nearest to each place is missing, Å
-  std::vector<Eigen::Vector2d> stone_wales;   ///< the bond nearest to each place is turned by 90°, Å
+  double rotation_deg = 0;                   ///< of the lattice about the axis, counter-clockwise
+  std::vector<Eigen::Vector2d> vacancies;    ///< the atom nearest to each place is missing, Å
+  std::vector<Eigen::Vector2d> stone_wales;  ///< the bond nearest to each place is turned by 90°, Å
 };
 
-/// What a continuum expects at a level, on the radii 0, spacing, 2 spacing, … up to its rim: displacements outward and along
-/// the load.
+/// What a continuum expects at a level, on the radii 0, spacing, 2 spacing, … up to its rim: displacements outward and
+/// along the load.
 struct Guide {
   double level = 0;
   double spacing_A = 0;
@@ -91,20 +90,21 @@ struct Guide {
 struct Problem {
   Potential potential;
   Card card;
-  double radius_A = 0;        ///< of the free disc, or half the side of the square; atoms beyond are clamped
+  double radius_A = 0;  ///< of the free disc, or half the side of the square; atoms beyond are clamped
   SheetForm form;
   double biaxial_strain = 0;  ///< imposed on the whole flat sheet before the load: the pretension
   Load load;
   Control control = Control::conjugate_depth;
-  std::vector<double> levels;  ///< conjugate depths (Å), total forces (eV/Å) or pressures (eV/Å³), in the order of the path
-  std::vector<Guide> guides;   ///< where levels start from, for those that have one; the result does not depend on them
-  bool unload = false;         ///< then back through the levels that were reached, down to the first
+  std::vector<double>
+      levels;  ///< conjugate depths (Å), total forces (eV/Å) or pressures (eV/Å³), in the order of the path
+  std::vector<Guide> guides;  ///< where levels start from, for those that have one; the result does not depend on them
+  bool unload = false;        ///< then back through the levels that were reached, down to the first
   double force_tolerance_eV_per_A = 1e-5;
   int max_evaluations = 600;   ///< per level; then the path ends as not converged
   bool past_artefact = false;  ///< do not end the path at the artefact bond length
-  double ripple_A = 0;      ///< root mean square of the ripple that every level starts from, beside its prediction
-  unsigned ripple_seed = 0;  ///< of the first level; the next ones count on
-  bool virials = false;     ///< hand out each step's virials
+  double ripple_A = 0;         ///< root mean square of the ripple that every level starts from, beside its prediction
+  unsigned ripple_seed = 0;    ///< of the first level; the next ones count on
+  bool virials = false;        ///< hand out each step's virials
 };
 
 /// Positions and forces are 3N vectors, atom by atom; free atoms first (see Sheet).
@@ -113,12 +113,12 @@ struct Step {
   bool unloading = false;
   double target = 0;  ///< the level asked for: Å, eV/Å or eV/Å³
   bool converged = false;
-  double depth_A = 0;            ///< mean −z of the atoms at one bond from the axis (the central hexagon)
-  double conjugate_depth_A = 0;  ///< of the load: mean −z of the loaded atoms, the sphere's travel, volume over area
-  double force_eV_per_A = 0;     ///< work-conjugate to it
-  double energy_eV = 0;             ///< work put in: relative to the flat sheet, contact included, dead loads not
-  double max_force_eV_per_A = 0;    ///< largest norm left on a free atom, load removed
-  double balance_relative = 0;      ///< |tip force + rim reaction| / tip force
+  double depth_A = 0;             ///< mean −z of the atoms at one bond from the axis (the central hexagon)
+  double conjugate_depth_A = 0;   ///< of the load: mean −z of the loaded atoms, the sphere's travel, volume over area
+  double force_eV_per_A = 0;      ///< work-conjugate to it
+  double energy_eV = 0;           ///< work put in: relative to the flat sheet, contact included, dead loads not
+  double max_force_eV_per_A = 0;  ///< largest norm left on a free atom, load removed
+  double balance_relative = 0;    ///< |tip force + rim reaction| / tip force
   double force_error_relative = 0;  ///< gᵀP⁻¹g / (F d): estimated error of the tip force
   double longest_bond_A = 0;
   int evaluations = 0;     ///< force computations since this level was asked for

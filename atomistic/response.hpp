@@ -32,8 +32,8 @@ struct StressCurve {
   std::string direction;  ///< zigzag, armchair (uniaxial stress), equibiaxial
   std::vector<double> strain, lateral_strain, stress_eV_per_A2, longest_bond_A;
   double secant_2_eV_per_A2 = 0, secant_5_eV_per_A2 = 0, secant_10_eV_per_A2 = 0;  ///< stress / strain at 2, 5, 10 %
-  double strength_eV_per_A2 = 0;  ///< largest stress
-  double strain_at_strength = 0;  ///< the longest stable strain under held force
+  double strength_eV_per_A2 = 0;                                                   ///< largest stress
+  double strain_at_strength = 0;          ///< the longest stable strain under held force
   std::optional<double> artefact_strain;  ///< where the longest bond reaches the potential's artefact length
 };
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "membrane/base/refusal.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/problem.hpp"
-#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 namespace {
@@ -46,8 +46,7 @@ bool meet(Edge a, Edge b) {
 /// A node cannot move with one edge and stay with another, or in a symmetry plane that the motion leaves.
 void check_corners(const Problem& problem, const EdgeMotion& motion) {
   const bool turns = motion.rotation_rad != 0;
-  const bool in_plane = turns || motion.translation_A.head<2>().norm() > 0,
-             across = motion.translation_A.z() != 0;
+  const bool in_plane = turns || motion.translation_A.head<2>().norm() > 0, across = motion.translation_A.z() != 0;
   for (const auto& [edge, support] : std::visit(SupportsOf{}, problem.sheet))
     if (meet(edge, motion.edge) && (support == Support::clamped || (support == Support::sliding && across)))
       refuse("load.edge", int(motion.edge),
@@ -67,7 +66,8 @@ void check_corners(const Problem& problem, const EdgeMotion& motion) {
 void check_closed(const Problem& problem, const char* member) {
   for (const auto& [edge, support] : std::visit(SupportsOf{}, problem.sheet))
     if (support == Support::free)
-      refuse(member, "a pressure", "a sheet under pressure needs every edge in its plane: clamped or sliding, not free");
+      refuse(member, "a pressure",
+             "a sheet under pressure needs every edge in its plane: clamped or sliding, not free");
 }
 
 struct CheckLoad {
@@ -97,12 +97,12 @@ struct CheckLoad {
   void operator()(const PressureLoad&) const {
     check_closed(problem, "load");
     if (problem.pressure_eV_per_A3 != 0)
-      refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3,
-             "must be 0 where the load is a pressure itself");
+      refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be 0 where the load is a pressure itself");
   }
   void operator()(const EdgeMotion& motion) const {
     const auto supports = std::visit(SupportsOf{}, problem.sheet);
-    const auto at = std::find_if(supports.begin(), supports.end(), [&](const auto& s) { return s.first == motion.edge; });
+    const auto at =
+        std::find_if(supports.begin(), supports.end(), [&](const auto& s) { return s.first == motion.edge; });
     if (at == supports.end()) refuse("load.edge", int(motion.edge), "the meshed part of the sheet has no such edge");
     if (at->second != Support::clamped) refuse("load.edge", int(motion.edge), "the edge that moves must be clamped");
     if (!motion.translation_A.allFinite() || !motion.pivot_A.allFinite() || !std::isfinite(motion.rotation_rad))
@@ -156,7 +156,8 @@ void check_directions(const Problem& problem) {
   const double mirrors = lattice->zigzag_rad / (std::numbers::pi / 6);
   if (std::abs(mirrors - std::round(mirrors)) > 1e-9)
     refuse("law.zigzag_rad", lattice->zigzag_rad,
-           "must be a multiple of 30 degrees on a quarter, or its planes are no mirrors of the lattice: mesh the full sheet");
+           "must be a multiple of 30 degrees on a quarter, or its planes are no mirrors of the lattice: mesh the full "
+           "sheet");
   if (problem.prestress_eV_per_A2(0, 1) != 0)
     refuse("prestress_eV_per_A2(0,1)", problem.prestress_eV_per_A2(0, 1),
            "breaks the symmetry of a quarter: mesh the full sheet");
@@ -197,7 +198,8 @@ void check(const Problem& problem) {
   if (!(problem.record_radius_A >= 0 && problem.record_radius_A < inner_radius_A(problem.sheet)))
     refuse("record_radius_A", problem.record_radius_A, "must be at least 0 and below the sheet's radius");
   check_levels(problem);
-  if (!(problem.solver.relative_residual > 0)) refuse("solver.relative_residual", problem.solver.relative_residual, "must be positive");
+  if (!(problem.solver.relative_residual > 0))
+    refuse("solver.relative_residual", problem.solver.relative_residual, "must be positive");
 }
 
 }  // namespace membrane

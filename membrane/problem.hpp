@@ -69,7 +69,8 @@ struct Problem {
   double pressure_eV_per_A3 = 0;  ///< towards −z, applied before the load and kept under it
   Load load;
   Control control = Control::conjugate_depth;
-  std::vector<double> levels;  ///< depths (Å), forces (eV/Å), pressures (eV/Å³) or multiples of a motion, along the path
+  std::vector<double>
+      levels;  ///< depths (Å), forces (eV/Å), pressures (eV/Å³) or multiples of a motion, along the path
   double record_radius_A = 0;  ///< the depth of record is taken at this radius; 0: the centre
   SolverOptions solver;
 };
@@ -82,11 +83,11 @@ struct Step {
   double conjugate_depth_A = 0;  ///< Σ p_i (−z_i) of the load pattern; of a sphere its own, of a pressure volume / area
   double force_eV_per_A = 0;     ///< of a pattern or a sphere; else 0
   double pressure_eV_per_A3 = 0;
-  double volume_A3 = 0;          ///< between the sheet and its plane, positive on the side of −z
-  double energy_eV = 0;          ///< stretching and bending, relative to the flat, prestressed sheet
-  double bending_energy_eV = 0;  ///< of which bending
-  double relative_residual = 0;  ///< |free residual| / |applied load|: at most 1e-8, or rounding where the
-                                 ///< depth is below some 1e-4 of the radius
+  double volume_A3 = 0;                  ///< between the sheet and its plane, positive on the side of −z
+  double energy_eV = 0;                  ///< stretching and bending, relative to the flat, prestressed sheet
+  double bending_energy_eV = 0;          ///< of which bending
+  double relative_residual = 0;          ///< |free residual| / |applied load|: at most 1e-8, or rounding where the
+                                         ///< depth is below some 1e-4 of the radius
   std::vector<double> residual_history;  ///< of the last search, one entry a Newton step
   int smallest_pivot_sign = 1;           ///< of the last tangent: −1 indefinite, 0 singular (slack), 1 positive
   double penetration_A = 0;              ///< deepest of a node into an obstacle
@@ -103,8 +104,8 @@ struct Step {
 };
 
 struct Report {
-  bool converged = false;  ///< every level reached
-  std::string reason;      ///< why the path ended
+  bool converged = false;         ///< every level reached
+  std::string reason;             ///< why the path ended
   std::vector<std::string> cuts;  ///< why and where a level was not reached in one step
   int triangles = 0;              ///< of the mesh that was solved
   int factorisations = 0;

@@ -37,8 +37,7 @@ double lattice_constant(const Potential& potential, const std::string& log_file)
     if (t == t_previous) return a;
   }
   if (!(a > 2.0 && a < 3.0 && std::abs(t) < 1e-7))
-    throw std::runtime_error(
-        fmt::format("no flat sheet without membrane force found near a = 2.46 Å (reached {})", a));
+    throw std::runtime_error(fmt::format("no flat sheet without membrane force found near a = 2.46 Å (reached {})", a));
   return a;
 }
 
@@ -74,8 +73,7 @@ Ripple ripple(const Potential& potential, double a, int cells, bool zigzag, cons
   for (int moved : {0, 1}) {
     for (const Complex phase : {Complex(1, 0), Complex(0, 1)}) {  // cosine, then sine
       VectorXd x = flat, f;
-      for (int i = moved; i < cell.atoms(); i += 2)
-        x[3 * i + 2] = amplitude * (wave(i) * std::conj(phase)).real();
+      for (int i = moved; i < cell.atoms(); i += 2) x[3 * i + 2] = amplitude * (wave(i) * std::conj(phase)).real();
       forces.evaluate(x, f, true);
       for (int i = 0; i < cell.atoms(); ++i)
         stiffness(Supercell::sublattice(i), moved) -= f[3 * i + 2] * std::conj(wave(i)) * phase;
@@ -83,8 +81,7 @@ Ripple ripple(const Potential& potential, double a, int cells, bool zigzag, cons
   }
   stiffness /= amplitude * cell.atoms() / 2.0;
   const Eigen::Matrix2cd hermitian = (stiffness + stiffness.adjoint()) / 2;
-  const Eigen::Vector2d eigenvalues =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2cd>(hermitian).eigenvalues();
+  const Eigen::Vector2d eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2cd>(hermitian).eigenvalues();
   return {eigenvalues[0] / (std::pow(q, 4) * cell.area() / cell.atoms()), eigenvalues[1]};
 }
 

@@ -34,8 +34,7 @@ Box Supercell::box(const Matrix2d& f) const {
           .periodic = true};
 }
 
-HomogeneousCell::HomogeneousCell(const Potential& potential, const Supercell& cell,
-                                 const std::string& log_file)
+HomogeneousCell::HomogeneousCell(const Potential& potential, const Supercell& cell, const std::string& log_file)
     : cell_(cell), flat_(cell.positions()), forces_(potential, cell.box(), flat_, log_file) {}
 
 Matrix2d HomogeneousCell::affine(const Matrix2d& f) {

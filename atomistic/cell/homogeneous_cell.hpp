@@ -34,9 +34,9 @@ class HomogeneousCell {
   Eigen::Matrix2d relaxed(const Eigen::Matrix2d& f, bool from_last = false);
 
   double energy_per_atom() const { return energy_ / cell_.atoms(); }  ///< of the last state
-  const Eigen::Vector2d& shift() const { return shift_; }  ///< of sublattice 1 in the deformed cell, Å
-  bool in_balance() const { return in_balance_; }          ///< whether the last relaxation ended well
-  double longest_bond(const Eigen::Matrix2d& f) const;     ///< of the last state
+  const Eigen::Vector2d& shift() const { return shift_; }             ///< of sublattice 1 in the deformed cell, Å
+  bool in_balance() const { return in_balance_; }                     ///< whether the last relaxation ended well
+  double longest_bond(const Eigen::Matrix2d& f) const;                ///< of the last state
   long evaluations() const { return forces_.timing().calls; }
 
  private:

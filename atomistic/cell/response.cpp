@@ -84,9 +84,12 @@ void find_strength(StressCurve& curve) {
   curve.strain_at_strength -= strain_step * slope / bend;
 }
 
-StressCurve stress_curve(HomogeneousCell& cell, const Potential& potential, const Card& card, const std::string& direction,
-                         Follow follow, int axis) {
-  StressCurve curve{.direction = direction, .strain = {0}, .lateral_strain = {0}, .stress_eV_per_A2 = {0},
+StressCurve stress_curve(HomogeneousCell& cell, const Potential& potential, const Card& card,
+                         const std::string& direction, Follow follow, int axis) {
+  StressCurve curve{.direction = direction,
+                    .strain = {0},
+                    .lateral_strain = {0},
+                    .stress_eV_per_A2 = {0},
                     .longest_bond_A = {card.bond_A()}};
   cell.relaxed(Matrix2d::Identity());
   double lateral = 1, largest = 0;

@@ -9,8 +9,8 @@
 
 namespace atomistic {
 
-/// The three curves, and the states asked for. On the calling rank alone. Throws std::invalid_argument for a strain that turns the
-/// cell inside out.
+/// The three curves, and the states asked for. On the calling rank alone. Throws std::invalid_argument for a strain
+/// that turns the cell inside out.
 Response compute_response(const Potential& potential, const Card& card, const std::vector<StrainState>& strains,
                           const std::string& log_file);
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "atomistic/problem.hpp"
 #include "atomistic/lattice/sheet.hpp"
+#include "atomistic/problem.hpp"
 
 namespace atomistic {
 

@@ -14,8 +14,8 @@ Box box_around(const Sheet& sheet) {
 }  // namespace
 
 Sheet make_sheet(const Problem& problem) {
-  return make_sheet(problem.radius_A, problem.card.a0_A, problem.biaxial_strain,
-                    problem.potential.interaction_range_A, problem.form);
+  return make_sheet(problem.radius_A, problem.card.a0_A, problem.biaxial_strain, problem.potential.interaction_range_A,
+                    problem.form);
 }
 
 Report follow_path(const Problem& problem, const std::string& log_file, const std::vector<Step>& finished,

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "atomistic/lammps/lammps.hpp"
-#include "atomistic/problem.hpp"
 #include "atomistic/lattice/sheet.hpp"
+#include "atomistic/problem.hpp"
 
 namespace atomistic {
 

@@ -17,8 +17,7 @@ struct Pair {
 };
 
 /// Two-loop recursion with the projected preconditioner as the first inverse Hessian.
-VectorXd descent_direction(const VectorXd& gradient, const std::deque<Pair>& pairs,
-                           const ProjectedPreconditioner& p) {
+VectorXd descent_direction(const VectorXd& gradient, const std::deque<Pair>& pairs, const ProjectedPreconditioner& p) {
   VectorXd q = gradient;
   std::vector<double> alpha(pairs.size());
   for (std::size_t k = pairs.size(); k-- > 0;) {
@@ -26,8 +25,7 @@ VectorXd descent_direction(const VectorXd& gradient, const std::deque<Pair>& pai
     q -= alpha[k] * pairs[k].y;
   }
   VectorXd r = p(q);
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    r += (alpha[k] - pairs[k].rho * pairs[k].y.dot(r)) * pairs[k].s;
+  for (std::size_t k = 0; k < pairs.size(); ++k) r += (alpha[k] - pairs[k].rho * pairs[k].y.dot(r)) * pairs[k].s;
   p.project(r);  // rounding in the history would grow from one iteration to the next
   return -r;
 }
@@ -39,8 +37,7 @@ bool decreases_enough(const Evaluation& from, const Evaluation& to, const Vector
   constexpr double c = 1e-4;
   const double change = to.energy - from.energy;
   if (change <= c * fraction * slope) return true;
-  return change <= rounding_floor(from.energy) &&
-         std::abs(step.dot(to.gradient)) <= (1 - 2 * c) * std::abs(slope);
+  return change <= rounding_floor(from.energy) && std::abs(step.dot(to.gradient)) <= (1 - 2 * c) * std::abs(slope);
 }
 
 }  // namespace

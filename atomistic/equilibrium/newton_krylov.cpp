@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double difference_A = 1e-4;  // largest displacement of an atom in a difference of gradients
-constexpr double left_over = 0.1;      // of the gradient's norm that conjugate gradients leave
-constexpr int most_products = 250;     // of a step
-constexpr double taken = 1e-4;         // a step is taken if this share of what the model promises comes true; …
-constexpr double poor = 0.25, good = 0.75;     // … the region shrinks below a poor share and grows from a good one on
+constexpr double difference_A = 1e-4;       // largest displacement of an atom in a difference of gradients
+constexpr double left_over = 0.1;           // of the gradient's norm that conjugate gradients leave
+constexpr int most_products = 250;          // of a step
+constexpr double taken = 1e-4;              // a step is taken if this share of what the model promises comes true; …
+constexpr double poor = 0.25, good = 0.75;  // … the region shrinks below a poor share and grows from a good one on
 constexpr double shrinking = 0.25, growth = 2.5;
-constexpr double smallest_region = 1e-10;      // of the gradient's norm
+constexpr double smallest_region = 1e-10;  // of the gradient's norm
 
 class Newton {
  public:
@@ -76,7 +76,8 @@ class Newton {
     return (evaluate(x + h * v).gradient - now_.gradient) / h;
   }
 
-  /// Lowers the quadratic model within the region: r is the residual force, direction what the preconditioner makes of it.
+  /// Lowers the quadratic model within the region: r is the residual force, direction what the preconditioner makes of
+  /// it.
   Step conjugate_gradients(const VectorXd& x, VectorXd r, const VectorXd& direction, double norm, double radius) {
     Step step;
     step.s = VectorXd::Zero(x.size());

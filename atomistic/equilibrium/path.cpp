@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "atomistic/equilibrium/guide.hpp"
-#include "atomistic/loads/sphere_load.hpp"
 #include "atomistic/equilibrium/newton_krylov.hpp"
 #include "atomistic/lattice/ripple.hpp"
+#include "atomistic/loads/sphere_load.hpp"
 
 namespace atomistic {
 
@@ -83,21 +83,19 @@ void Path::relax_flat_sheet() {
     for (Eigen::Index z = 2; z < v.size(); z += 3) v[z] = 0;
     return v;
   };
-  const Minimisation problem{
-      .evaluate =
-          [&](const VectorXd& x) {
-            positions_.head(free_dofs()) = x;
-            const double energy =
-                force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
-            return Evaluation{energy, flat(-atom_forces_.head(free_dofs()))};
-          },
-      .precondition = [&](const VectorXd& r) { return flat(preconditioner_.solve(r)); },
-      .constraint = {},
-      .constraint_response = {}};
+  const Minimisation problem{.evaluate =
+                                 [&](const VectorXd& x) {
+                                   positions_.head(free_dofs()) = x;
+                                   const double energy =
+                                       force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
+                                   return Evaluation{energy, flat(-atom_forces_.head(free_dofs()))};
+                                 },
+                             .precondition = [&](const VectorXd& r) { return flat(preconditioner_.solve(r)); },
+                             .constraint = {},
+                             .constraint_response = {}};
   VectorXd x = free_positions();
   const MinimiserReport result = minimise(
-      problem,
-      {.force_tolerance = tolerance() / 10, .longest_step = 0.1, .max_evaluations = problem_.max_evaluations},
+      problem, {.force_tolerance = tolerance() / 10, .longest_step = 0.1, .max_evaluations = problem_.max_evaluations},
       x);
   report_.relaxation_evaluations = result.evaluations;
   if (!result.converged) {
@@ -113,8 +111,7 @@ std::optional<Path::Target> Path::next_target() {
   if (!unloading_from_) {
     if (goes_on && loaded_levels_ < static_cast<int>(problem_.levels.size()))
       return Target{problem_.levels[loaded_levels_], false};
-    if (!problem_.unload || loaded_levels_ < 2 || !(goes_on || report_.ended == Ended::artefact))
-      return std::nullopt;
+    if (!problem_.unload || loaded_levels_ < 2 || !(goes_on || report_.ended == Ended::artefact)) return std::nullopt;
     unloading_from_ = loaded_levels_ - 1;
   }
   if (*unloading_from_ == 0 || report_.ended == Ended::not_converged) return std::nullopt;
@@ -137,8 +134,7 @@ void Path::take_over(const std::vector<Step>& finished) {
 void Path::remember(const Step& step) {
   const double t = load_->parameter(step.target);
   if (step.converged) {
-    std::erase_if(states_,
-                  [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
+    std::erase_if(states_, [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
     states_.push_back({t, (step.positions - reference_).head(free_dofs()), guide(step.target)});
   }
   if (step.converged) curve_.emplace_back(step.depth_A, step.force_eV_per_A);
@@ -147,8 +143,7 @@ void Path::remember(const Step& step) {
     first_evaluations_ = step.evaluations;
     factor_parameter_ = t;
   }
-  factor_is_tired_ =
-      step.factorisations > 1 || step.evaluations > first_evaluations_ + tolerated_extra_evaluations;
+  factor_is_tired_ = step.factorisations > 1 || step.evaluations > first_evaluations_ + tolerated_extra_evaluations;
   if (step.unloading)
     unloading_from_ = unloading_from_.value_or(loaded_levels_ - 1) - 1;
   else
@@ -173,8 +168,7 @@ void Path::predict(int number, double level) {
   load_->admit(x);
   positions_.head(free_dofs()) = x;
   const double ratio = t / factor_parameter_;
-  if (factor_is_tired_ || ratio > depth_ratio_per_factor || ratio * depth_ratio_per_factor < 1)
-    factorise(positions_);
+  if (factor_is_tired_ || ratio > depth_ratio_per_factor || ratio * depth_ratio_per_factor < 1) factorise(positions_);
   meet_constraint(level);
 }
 
@@ -231,7 +225,8 @@ MinimiserReport Path::minimise_level(int number) {
       return !torn();
     };
     const bool drags_on = evaluations >= evaluations_before_newton;
-    if (drags_on) options.max_evaluations = std::min(evaluations_per_newton_factor, problem_.max_evaluations - evaluations);
+    if (drags_on)
+      options.max_evaluations = std::min(evaluations_per_newton_factor, problem_.max_evaluations - evaluations);
     result = (drags_on ? minimise_by_newton : minimise)(problem, options, x, on_iteration);
     evaluations += result.evaluations;
     options.trust_radius = result.trust_radius;
@@ -265,8 +260,7 @@ Step Path::run_level(int number, const Target& target) {
   step.energy_eV = result.last.energy - load_->dead_work(x) - flat_energy_;
   step.max_force_eV_per_A = result.max_force;
   step.balance_relative = balance(result.multiplier);
-  step.force_error_relative =
-      std::abs(result.energy_residual / (step.force_eV_per_A * step.conjugate_depth_A));
+  step.force_error_relative = std::abs(result.energy_residual / (step.force_eV_per_A * step.conjugate_depth_A));
   step.longest_bond_A = longest_bond(sheet_, positions_);
   step.evaluations = result.evaluations;
   step.factorisations = factorisations_;
@@ -326,8 +320,7 @@ std::optional<ContactCheck> Path::check_contact() {
   const auto [earlier_depth, earlier_force] =
       curve_.size() > 1 ? curve_[curve_.size() - 2] : std::pair(depth / 2, force / 8);
   const double exponent = std::log(force / earlier_force) / std::log(depth / earlier_depth);
-  check.force_change_at_equal_depth_relative =
-      check.force_change_relative - exponent * check.depth_change_A / depth;
+  check.force_change_at_equal_depth_relative = check.force_change_relative - exponent * check.depth_change_A / depth;
   return check;
 }
 

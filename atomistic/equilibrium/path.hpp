@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "atomistic/equilibrium/indentation.hpp"
-#include "atomistic/loads/load_term.hpp"
 #include "atomistic/equilibrium/minimiser.hpp"
 #include "atomistic/equilibrium/preconditioner.hpp"
 #include "atomistic/equilibrium/predictor.hpp"
+#include "atomistic/loads/load_term.hpp"
 
 namespace atomistic {
 

@@ -3,15 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "atomistic/loads/load_term.hpp"
 #include "atomistic/equilibrium/spring_network.hpp"
+#include "atomistic/loads/load_term.hpp"
 
 namespace atomistic {
 
 class Preconditioner {
  public:
-  Preconditioner(const Sheet& sheet, const SpringConstants& constants)
-      : sheet_(sheet), network_(sheet, constants) {}
+  Preconditioner(const Sheet& sheet, const SpringConstants& constants) : sheet_(sheet), network_(sheet, constants) {}
 
   /// At the positions of all atoms; the load is at its level, or absent.
   void factorise(const Eigen::VectorXd& positions, LoadTerm* load);

@@ -19,8 +19,8 @@ struct PathState {
 /// from three by the parabola through them. States in the order of the path, the newest last.
 Eigen::VectorXd extrapolate(const std::vector<PathState>& states, double t);
 
-/// The continuum's expectation at t and the extrapolated rest of it, which is small and smooth. Where a state has no guide, or
-/// there is none here, the states alone are extrapolated. No states: the guide.
+/// The continuum's expectation at t and the extrapolated rest of it, which is small and smooth. Where a state has no
+/// guide, or there is none here, the states alone are extrapolated. No states: the guide.
 Eigen::VectorXd extrapolate(const std::vector<PathState>& states, double t,
                             const std::optional<Eigen::VectorXd>& guide);
 

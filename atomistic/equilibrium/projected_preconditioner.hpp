@@ -14,8 +14,8 @@ class ProjectedPreconditioner {
  public:
   explicit ProjectedPreconditioner(const Minimisation& problem) : problem_(problem) {
     if (problem_.constraint.size() == 0) return;
-    direction_ = problem_.constraint_response.size() ? problem_.constraint_response
-                                                     : problem_.precondition(problem_.constraint);
+    direction_ =
+        problem_.constraint_response.size() ? problem_.constraint_response : problem_.precondition(problem_.constraint);
     stiffness_ = problem_.constraint.dot(direction_);
   }
 
@@ -30,9 +30,7 @@ class ProjectedPreconditioner {
     if (direction_.size()) s -= direction_ * (problem_.constraint.dot(s) / stiffness_);
   }
 
-  double multiplier(const Eigen::VectorXd& g) const {
-    return direction_.size() ? direction_.dot(g) / stiffness_ : 0.0;
-  }
+  double multiplier(const Eigen::VectorXd& g) const { return direction_.size() ? direction_.dot(g) / stiffness_ : 0.0; }
 
   Eigen::VectorXd without_load(const Eigen::VectorXd& g) const {
     return direction_.size() ? Eigen::VectorXd(g - multiplier(g) * problem_.constraint) : g;

@@ -45,8 +45,8 @@ Supernode supernode(const cholmod_factor& L, std::size_t k) {
   return {super[k], super[k + 1] - super[k], pi[k + 1] - pi[k], static_cast<const int*>(L.s) + pi[k], px[k]};
 }
 
-/// Doubles become floats in the same memory, front to back, so that none is overwritten before it is read. CHOLMOD fills
-/// the memory anew when it factorises again.
+/// Doubles become floats in the same memory, front to back, so that none is overwritten before it is read. CHOLMOD
+/// fills the memory anew when it factorises again.
 void round_in_place(void* numbers, std::size_t count) {
   auto* bytes = static_cast<unsigned char*>(numbers);
   for (std::size_t i = 0; i < count; ++i) {

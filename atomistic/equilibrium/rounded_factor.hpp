@@ -10,8 +10,8 @@ namespace atomistic {
 
 /// A = Pᵀ L Lᵀ P by CHOLMOD in double precision; L is then rounded to single. L̃ L̃ᵀ is symmetric positive definite
 /// whatever the rounding, and solve() applies its inverse in double precision: as a preconditioner it differs from A by
-/// 1e-7 of A's entries at random, which smooth soft modes average out. A solve reads the whole factor twice, so that its
-/// time is that of the memory: half of it saved. The single numbers take the place of the double ones.
+/// 1e-7 of A's entries at random, which smooth soft modes average out. A solve reads the whole factor twice, so that
+/// its time is that of the memory: half of it saved. The single numbers take the place of the double ones.
 class RoundedFactor : private Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> {
   using Base = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
 

@@ -18,8 +18,7 @@ SpringConstants spring_constants(const Card& card) {
   // In shear the bonds (3/2 k_r l²) and the angles (9 k_θ) act in series through the inner displacement.
   const double shear = (card.C11_eV_per_A2 - card.C12_eV_per_A2) * atom_area;
   const double bonds = 1.5 * stretch * l * l;
-  if (!(shear > 0 && shear < bonds && card.bending_modulus_eV() > 0 &&
-        card.sublattice_stiffness_eV_per_A2 > 0))
+  if (!(shear > 0 && shear < bonds && card.bending_modulus_eV() > 0 && card.sublattice_stiffness_eV_per_A2 > 0))
     throw std::invalid_argument("spring network: the card's moduli do not describe a stable sheet");
   const double long_waves = 16 * card.bending_modulus_eV() * atom_area / std::pow(l, 4);
   const double sublattices = card.sublattice_stiffness_eV_per_A2 / 4;
@@ -79,8 +78,7 @@ void SpringNetwork::build_pattern() {
 void SpringNetwork::factorise(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) {
   assemble(positions, load);
   if (!factor_.factorise(matrix_))
-    throw std::runtime_error(
-        "the spring network's matrix could not be factorised: positions or constants are off");
+    throw std::runtime_error("the spring network's matrix could not be factorised: positions or constants are off");
 }
 
 Eigen::VectorXd SpringNetwork::solve(const Eigen::VectorXd& right_hand_side) const {
@@ -113,8 +111,7 @@ void SpringNetwork::add_block(int i, int j, Matrix3d block) {
 void SpringNetwork::add_rank_one(double stiffness, const Element& element) {
   for (int a = 0; a < element.size; ++a)
     for (int b = 0; b < element.size; ++b)
-      add_block(element.atoms[a], element.atoms[b],
-                stiffness * element.gradient[a] * element.gradient[b].transpose());
+      add_block(element.atoms[a], element.atoms[b], stiffness * element.gradient[a] * element.gradient[b].transpose());
 }
 
 void SpringNetwork::add_bonds(const Eigen::VectorXd& positions) {
@@ -122,8 +119,7 @@ void SpringNetwork::add_bonds(const Eigen::VectorXd& positions) {
     const Vector3d d = positions.segment<3>(3 * i) - positions.segment<3>(3 * j);
     const double l = d.norm(), strain = l / constants_.rest_length_A - 1, s = constants_.softening;
     const double stiffness = constants_.stretch_eV_per_A2 * std::max(1 - s * strain, 0.2);  // stays definite
-    const double tension =
-        constants_.stretch_eV_per_A2 * constants_.rest_length_A * strain * (1 - s * strain / 2);
+    const double tension = constants_.stretch_eV_per_A2 * constants_.rest_length_A * strain * (1 - s * strain / 2);
     const Matrix3d along = d * d.transpose() / (l * l);
     const Matrix3d block = stiffness * along + std::max(tension, 0.0) / l * (Matrix3d::Identity() - along);
     add_block(i, i, block);
@@ -156,8 +152,7 @@ void SpringNetwork::add_out_of_plane(const Eigen::VectorXd& positions) {
     if (a < 0 || b < 0 || c < 0) continue;
     const auto x = [&](int atom) { return positions.segment<3>(3 * atom); };
     const Vector3d normal = (x(b) - x(a)).cross(x(c) - x(a)).normalized();
-    add_rank_one(constants_.out_of_plane_eV_per_A2,
-                 {{i, a, b, c}, {normal, -normal / 3, -normal / 3, -normal / 3}, 4});
+    add_rank_one(constants_.out_of_plane_eV_per_A2, {{i, a, b, c}, {normal, -normal / 3, -normal / 3, -normal / 3}, 4});
   }
 }
 

@@ -4,10 +4,10 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "atomistic/loads/load_term.hpp"
-#include "atomistic/problem.hpp"
 #include "atomistic/equilibrium/rounded_factor.hpp"
 #include "atomistic/lattice/sheet.hpp"
+#include "atomistic/loads/load_term.hpp"
+#include "atomistic/problem.hpp"
 
 namespace atomistic {
 

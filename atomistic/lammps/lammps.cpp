@@ -47,8 +47,7 @@ std::string styles_like(void* lammps, const std::string& style) {
   const int count = lammps_style_count(lammps, "pair");
   for (int i = 0; i < count; ++i) {
     char name[128] = {};
-    if (lammps_style_name(lammps, "pair", i, name, sizeof name) &&
-        std::string(name).substr(0, 3) == style.substr(0, 3))
+    if (lammps_style_name(lammps, "pair", i, name, sizeof name) && std::string(name).substr(0, 3) == style.substr(0, 3))
       alike += (alike.empty() ? "" : ", ") + std::string(name);
   }
   return alike.empty() ? "" : "; those that begin alike: " + alike;
@@ -131,8 +130,7 @@ struct ForceField::Instance {
     atoms = static_cast<int>(positions.size()) / 3;
     std::vector<int> ids(atoms), types(atoms, 1);
     std::iota(ids.begin(), ids.end(), 1);
-    if (lammps_create_atoms(lammps, atoms, ids.data(), types.data(), positions.data(), nullptr, nullptr, 0) !=
-        atoms)
+    if (lammps_create_atoms(lammps, atoms, ids.data(), types.data(), positions.data(), nullptr, nullptr, 0) != atoms)
       throw std::runtime_error("LAMMPS did not take all atoms: some lie outside the box");
     check();
     local.resize(positions.size());
@@ -142,8 +140,7 @@ struct ForceField::Instance {
     if (!potential.kim_model.empty()) return command("kim interactions C");
     require_style(lammps, potential.pair_style);
     command("pair_style " + potential.pair_style);
-    for (const std::string& line : potential.pair_coeff)
-      command("pair_coeff " + with_file(line, potential.file));
+    for (const std::string& line : potential.pair_coeff) command("pair_coeff " + with_file(line, potential.file));
   }
 
   /// Writes this rank's atoms; the order of LAMMPS's arrays changes when atoms change ranks, so go by id.
@@ -161,8 +158,7 @@ struct ForceField::Instance {
     local.setZero();
     for (int i = 0; i < own; ++i) local.segment<3>(3 * (id[i] - 1)) = Eigen::Map<Eigen::Vector3d>{f[i]};
     forces.resize(rank == 0 ? local.size() : 0);
-    MPI_Reduce(local.data(), forces.data(), static_cast<int>(local.size()), MPI_DOUBLE, MPI_SUM, 0,
-               communicator);
+    MPI_Reduce(local.data(), forces.data(), static_cast<int>(local.size()), MPI_DOUBLE, MPI_SUM, 0, communicator);
   }
 
   /// Per-atom virials are tallied only in a run whose output asks for them: here the sum of one component.
@@ -220,9 +216,8 @@ ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::
   in.command(box.periodic ? "boundary p p f" : "boundary f f f");
   if (!box.periodic) in.command("processors * * 1");  // the sheet is flat: no cuts across z
   in.command("box tilt large");
-  in.command(fmt::format("region cell prism {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} 0 0",
-                         box.low.x(), box.high.x(), box.low.y(), box.high.y(), box.low.z(), box.high.z(),
-                         box.tilt_xy));
+  in.command(fmt::format("region cell prism {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} 0 0", box.low.x(),
+                         box.high.x(), box.low.y(), box.high.y(), box.low.z(), box.high.z(), box.tilt_xy));
   in.command("create_box 1 cell");
   in.command(fmt::format("mass 1 {:.17g}", potential.mass));
   in.set_potential(potential);

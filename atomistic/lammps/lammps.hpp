@@ -51,8 +51,7 @@ int lammps_release();
 /// constructs one has it to itself. Positions and forces are 3N vectors in creation order, valid on rank 0.
 class ForceField {
  public:
-  ForceField(const Potential& potential, const Box& box, const Eigen::VectorXd& positions,
-             const std::string& log_file);
+  ForceField(const Potential& potential, const Box& box, const Eigen::VectorXd& positions, const std::string& log_file);
   ~ForceField();
   ForceField(const ForceField&) = delete;
   ForceField& operator=(const ForceField&) = delete;
@@ -76,6 +75,7 @@ class ForceField {
   void serve();
 
   const ForceTiming& timing() const;
+
  private:
   struct Instance;
   std::unique_ptr<Instance> instance_;

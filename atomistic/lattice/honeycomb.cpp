@@ -37,8 +37,8 @@ void connect(Honeycomb& sites) {
 
 int nearest_atom(const Honeycomb& sites, const Vector2d& place) {
   const auto distance = [&](const Site& s) { return (s.place - place).squaredNorm(); };
-  const auto found = std::min_element(
-      sites.begin(), sites.end(), [&](const Site& a, const Site& b) { return distance(a) < distance(b); });
+  const auto found = std::min_element(sites.begin(), sites.end(),
+                                      [&](const Site& a, const Site& b) { return distance(a) < distance(b); });
   return static_cast<int>(found - sites.begin());
 }
 
@@ -59,13 +59,11 @@ void replace_neighbour(Site& site, int old_one, int new_one) {
 }
 
 /// The neighbour of `atom` other than `partner` that lies on the given side of the bond.
-int neighbour_on(const Honeycomb& sites, int atom, int partner, const Vector2d& middle,
-                 const Vector2d& side) {
+int neighbour_on(const Honeycomb& sites, int atom, int partner, const Vector2d& middle, const Vector2d& side) {
   int found = -1;
   for (int n : sites[atom].neighbours)
     if (n >= 0 && n != partner && (sites[n].place - middle).dot(side) > 0) found = n;
-  if (found < 0)
-    throw std::invalid_argument("Stone–Wales defect: its bond must be away from edges and vacancies");
+  if (found < 0) throw std::invalid_argument("Stone–Wales defect: its bond must be away from edges and vacancies");
   return found;
 }
 
@@ -117,8 +115,7 @@ void make_stone_wales(Honeycomb& sites, const Vector2d& place) {
   const auto [i, j] = nearest_bond(sites, place);
   const Vector2d middle = (sites[i].place + sites[j].place) / 2, half = sites[i].place - middle;
   const Vector2d side(-half.y(), half.x());  // where atom i goes
-  const int from_i = neighbour_on(sites, i, j, middle, -side),
-            from_j = neighbour_on(sites, j, i, middle, side);
+  const int from_i = neighbour_on(sites, i, j, middle, -side), from_j = neighbour_on(sites, j, i, middle, side);
   neighbour_on(sites, i, j, middle, side);
   neighbour_on(sites, j, i, middle, -side);
   sites[i].place = middle + side;

@@ -53,8 +53,7 @@ std::vector<std::vector<int>> rings(const Sheet& sheet) {
         const auto back = static_cast<std::size_t>(slot(to, from));
         from = std::exchange(to, around[(back + around.size() - 1) % around.size()]);
       }
-      const bool has_free =
-          std::any_of(loop.begin(), loop.end(), [&](int atom) { return atom < sheet.free_atoms; });
+      const bool has_free = std::any_of(loop.begin(), loop.end(), [&](int atom) { return atom < sheet.free_atoms; });
       if (has_free && loop.size() >= 3 && signed_area(sheet, loop) > 0) found.push_back(std::move(loop));
     }
   return found;

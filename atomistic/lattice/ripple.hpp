@@ -7,8 +7,9 @@
 
 namespace atomistic {
 
-/// Displacements of the free atoms (3·free_atoms, along z only): waves of random direction, phase and length (10 … 60 Å)
-/// with this root mean square over the sheet, falling to zero within 8 Å of the edge. The same seed gives the same ripple.
+/// Displacements of the free atoms (3·free_atoms, along z only): waves of random direction, phase and length (10 … 60
+/// Å) with this root mean square over the sheet, falling to zero within 8 Å of the edge. The same seed gives the same
+/// ripple.
 Eigen::VectorXd ripple(const Sheet& sheet, double rms_A, unsigned seed);
 
 }  // namespace atomistic

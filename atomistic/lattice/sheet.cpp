@@ -43,8 +43,7 @@ Honeycomb sorted(const Honeycomb& sites, const std::vector<bool>& clamped) {
   std::vector<int> order(sites.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
   std::sort(order.begin(), order.end(), [&](int p, int q) {
-    return std::make_tuple(bool(clamped[p]), sites[p].cell) <
-           std::make_tuple(bool(clamped[q]), sites[q].cell);
+    return std::make_tuple(bool(clamped[p]), sites[p].cell) < std::make_tuple(bool(clamped[q]), sites[q].cell);
   });
   std::vector<int> new_index(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) new_index[order[k]] = static_cast<int>(k);
@@ -75,8 +74,7 @@ void find_centre(Sheet& sheet) {
     throw std::invalid_argument("sheet: no atom is left at the axis, where force and depth are taken");
 }
 
-Sheet finished(const Honeycomb& sites, int free_atoms, double bond_A, double radius_A,
-               const SheetForm& form) {
+Sheet finished(const Honeycomb& sites, int free_atoms, double bond_A, double radius_A, const SheetForm& form) {
   Sheet sheet;
   sheet.bond_A = bond_A;
   sheet.radius_A = radius_A;
@@ -96,8 +94,7 @@ Sheet finished(const Honeycomb& sites, int free_atoms, double bond_A, double rad
 
 }  // namespace
 
-Sheet make_sheet(double radius_A, double a0_A, double biaxial_strain, double ring_width_A,
-                 const SheetForm& form) {
+Sheet make_sheet(double radius_A, double a0_A, double biaxial_strain, double ring_width_A, const SheetForm& form) {
   if (!(radius_A >= 3 * a0_A) || !(a0_A > 0) || !(ring_width_A > 0) || !(biaxial_strain > -0.1) ||
       !std::isfinite(form.rotation_deg))
     throw std::invalid_argument("sheet: radius must be at least 3 lattice constants, ring width positive");

@@ -17,9 +17,9 @@ struct Sheet {
   Eigen::VectorXd positions;  ///< 3N, flat in z = 0; around defects and sliding edges not yet in equilibrium
   std::vector<std::array<int, 3>> neighbours;  ///< bonded atoms, −1 where the sheet ends
   std::vector<std::array<int, 2>> bonds;       ///< each once, at least one end free
-  std::vector<int> innermost;  ///< carry a point load: the hexagon's six, or the one atom on the axis
-  std::vector<int> record;     ///< give the depth of record: at one bond from the axis
-  std::vector<bool> slides;    ///< of the free atoms: keeps z = 0 (sliding edge)
+  std::vector<int> innermost;                  ///< carry a point load: the hexagon's six, or the one atom on the axis
+  std::vector<int> record;                     ///< give the depth of record: at one bond from the axis
+  std::vector<bool> slides;                    ///< of the free atoms: keeps z = 0 (sliding edge)
 
   int atoms() const { return static_cast<int>(positions.size()) / 3; }
   auto position(int atom) const { return positions.segment<3>(3 * atom); }
@@ -35,8 +35,7 @@ struct Sheet {
 /// dangling atoms. Free atoms come first, each group sorted by lattice cell, so that the order depends on
 /// nothing but the arguments. Throws std::invalid_argument for what cannot be built: too small, a defect
 /// outside or on top of another, nothing left at the axis.
-Sheet make_sheet(double radius_A, double a0_A, double biaxial_strain, double ring_width_A,
-                 const SheetForm& form = {});
+Sheet make_sheet(double radius_A, double a0_A, double biaxial_strain, double ring_width_A, const SheetForm& form = {});
 
 /// Free and clamped atoms with r <= radius_A in the flat sheet.
 std::vector<int> atoms_within(const Sheet& sheet, double radius_A);

@@ -36,16 +36,12 @@ struct MakeLoad {
     return std::make_unique<PatternLoad>(LoadedAtoms{sheet}(load), problem, sheet);
   }
   Made operator()(const SphereLoad& load) const { return std::make_unique<SphereTerm>(load, problem, sheet); }
-  Made operator()(const PressureLoad& load) const {
-    return std::make_unique<PressureTerm>(load, problem, sheet);
-  }
+  Made operator()(const PressureLoad& load) const { return std::make_unique<PressureTerm>(load, problem, sheet); }
 };
 
 }  // namespace
 
-std::vector<int> loaded_atoms(const Load& load, const Sheet& sheet) {
-  return std::visit(LoadedAtoms{sheet}, load);
-}
+std::vector<int> loaded_atoms(const Load& load, const Sheet& sheet) { return std::visit(LoadedAtoms{sheet}, load); }
 
 std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet) {
   return std::visit(MakeLoad{problem, sheet}, problem.load);

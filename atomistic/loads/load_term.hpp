@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "atomistic/problem.hpp"
 #include "atomistic/lattice/sheet.hpp"
+#include "atomistic/problem.hpp"
 
 namespace atomistic {
 

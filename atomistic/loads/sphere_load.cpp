@@ -12,8 +12,7 @@ using Eigen::VectorXd;
 SphereTerm::SphereTerm(const SphereLoad& sphere, const Problem& problem, const Sheet& sheet)
     : sphere_(sphere), problem_(problem), sheet_(sheet) {
   if (!(sphere.radius_A > 0 && sphere.radius_A < sheet.radius_A && sphere.stiffness_eV_per_A3 > 0))
-    throw std::invalid_argument(
-        "sphere: its radius must be positive and below the sheet's, its stiffness positive");
+    throw std::invalid_argument("sphere: its radius must be positive and below the sheet's, its stiffness positive");
   // Atoms come nearer to the axis as the sheet stretches: a wide margin costs nothing.
   for (int atom : atoms_within(sheet, 1.2 * sphere.radius_A + 5))
     if (atom < sheet.free_atoms) candidates_.push_back(atom);
@@ -36,8 +35,8 @@ SphereTerm::Contact SphereTerm::contact_at(const VectorXd& x, double travel) con
   visit_contacts(x, travel, [&](int, double inside, const Vector3d& n) {
     sum.energy += k * inside * inside * inside / 3;
     sum.force -= k * inside * inside * n.z();
-    sum.stiffness += 2 * k * inside * n.z() * n.z() -
-                     k * inside * inside * (1 - n.z() * n.z()) / (sphere_.radius_A - inside);
+    sum.stiffness +=
+        2 * k * inside * n.z() * n.z() - k * inside * inside * (1 - n.z() * n.z()) / (sphere_.radius_A - inside);
     sum.deepest = std::max(sum.deepest, inside);
   });
   return sum;

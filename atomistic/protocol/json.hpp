@@ -11,8 +11,8 @@ namespace atomistic {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Potential, name, pair_style, pair_coeff, file, kim_model, mass, interaction_range_A,
                                    artefact_bond_A, description, citation)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, a0_A, energy_per_atom_eV, C11_eV_per_A2, C12_eV_per_A2,
-                                   C66_eV_per_A2, bending_modulus_zigzag_eV, bending_modulus_armchair_eV,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, a0_A, energy_per_atom_eV, C11_eV_per_A2, C12_eV_per_A2, C66_eV_per_A2,
+                                   bending_modulus_zigzag_eV, bending_modulus_armchair_eV,
                                    sublattice_stiffness_eV_per_A2, bond_softening)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StrainState, E11, E22, E12, orientation_deg)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HomogeneousState, strain, S11_eV_per_A2, S22_eV_per_A2, S12_eV_per_A2,
@@ -45,7 +45,8 @@ inline void from_json(const nlohmann::json& j, StressCurve& c) {
        .secant_10_eV_per_A2 = number_or_nan(j.at("secant_10_eV_per_A2")),
        .strength_eV_per_A2 = j.at("strength_eV_per_A2"),
        .strain_at_strength = j.at("strain_at_strength"),
-       .artefact_strain = j.at("artefact_strain").is_null() ? std::nullopt : std::optional<double>(j["artefact_strain"])};
+       .artefact_strain =
+           j.at("artefact_strain").is_null() ? std::nullopt : std::optional<double>(j["artefact_strain"])};
 }
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Response, curves, states)
 NLOHMANN_JSON_SERIALIZE_ENUM(Ended, {{Ended::depth_max, "depth_max"},
@@ -56,9 +57,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContactCheck, force_change_relative, depth_ch
                                    force_change_at_equal_depth_relative, deepest_penetration_A)
 
 inline void to_json(nlohmann::json& j, const Report& r) {
-  j = {{"ended", r.ended},       {"reason", r.reason},     {"force_calls", r.force_calls},
-       {"force_s", r.force_s},   {"factor_s", r.factor_s}, {"solve_s", r.solve_s},
-       {"setup_s", r.setup_s},   {"relaxation_evaluations", r.relaxation_evaluations}};
+  j = {{"ended", r.ended},
+       {"reason", r.reason},
+       {"force_calls", r.force_calls},
+       {"force_s", r.force_s},
+       {"factor_s", r.factor_s},
+       {"solve_s", r.solve_s},
+       {"setup_s", r.setup_s},
+       {"relaxation_evaluations", r.relaxation_evaluations}};
   if (r.contact) j["contact"] = *r.contact;
 }
 inline void from_json(const nlohmann::json& j, Report& r) {

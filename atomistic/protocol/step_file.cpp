@@ -113,8 +113,7 @@ Step read_step(const fs::path& file) {
   const auto broken = [&](const char* why) { return std::runtime_error(file.string() + ": " + why); };
   std::ifstream in(file, std::ios::binary);
   Header header{};
-  if (!in.read(reinterpret_cast<char*>(&header), sizeof header))
-    throw broken("not a step file, or cut short");
+  if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) throw broken("not a step file, or cut short");
   if (std::memcmp(header.magic, Header{}.magic, sizeof header.magic) != 0) throw broken("not a step file");
   const std::uintmax_t doubles =
       static_cast<std::uintmax_t>(header.positions + header.forces + header.factorised_at + header.virials);
@@ -123,8 +122,7 @@ Step read_step(const fs::path& file) {
     throw broken("a step file of the wrong length");
   Step step = step_of(header);
   for (Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at, &step.virials})
-    if (!in.read(reinterpret_cast<char*>(v->data()),
-                 static_cast<std::streamsize>(sizeof(double)) * v->size()))
+    if (!in.read(reinterpret_cast<char*>(v->data()), static_cast<std::streamsize>(sizeof(double)) * v->size()))
       throw broken("cut short");
   return step;
 }

@@ -6,19 +6,19 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <iostream>
 #include <exception>
+#include <iostream>
 #include <string>
 #include <system_error>
 
 #include "atomistic/cell/card.hpp"
+#include "atomistic/cell/response.hpp"
 #include "atomistic/equilibrium/indentation.hpp"
 #include "atomistic/lammps/lammps.hpp"
-#include "atomistic/protocol/math_threads.hpp"
 #include "atomistic/protocol/event.hpp"
 #include "atomistic/protocol/job.hpp"
+#include "atomistic/protocol/math_threads.hpp"
 #include "atomistic/protocol/step_file.hpp"
-#include "atomistic/cell/response.hpp"
 
 namespace {
 

@@ -29,8 +29,8 @@ std::string describe_range(const Field& field) {
 
 double in_range(const Field& field, double value, std::string_view label) {
   if (field.range.contains(value)) return value;
-  throw bad_input("{}: {}{}{} is not allowed; it must be {}", label, value, field.unit.empty() ? "" : " ",
-                  field.unit, describe_range(field));
+  throw bad_input("{}: {}{}{} is not allowed; it must be {}", label, value, field.unit.empty() ? "" : " ", field.unit,
+                  describe_range(field));
 }
 
 double parse_number(const Field& field, std::string_view text, std::string_view label) {

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Error cannot_write(const fs::path& target, int error) {
-  return Error(ExitCode::file_failed,
-               fmt::format("cannot write '{}': {}", target.string(), std::strerror(error)));
+  return Error(ExitCode::file_failed, fmt::format("cannot write '{}': {}", target.string(), std::strerror(error)));
 }
 
 class Descriptor {
@@ -45,8 +44,7 @@ fs::path temporary_beside(const fs::path& target) {
 
 }  // namespace
 
-PendingFile::PendingFile(fs::path target)
-    : target_(fs::absolute(std::move(target))), path_(temporary_beside(target_)) {
+PendingFile::PendingFile(fs::path target) : target_(fs::absolute(std::move(target))), path_(temporary_beside(target_)) {
   const Descriptor created(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!created.open()) throw cannot_write(target_, errno);
 }

@@ -29,8 +29,8 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
 }
 
 bool starts_with(std::string_view text, std::string_view start) {
-  return text.size() >= start.size() && std::equal(start.begin(), start.end(), text.begin(),
-                                                   [](char a, char b) { return same_letter(a, b); });
+  return text.size() >= start.size() &&
+         std::equal(start.begin(), start.end(), text.begin(), [](char a, char b) { return same_letter(a, b); });
 }
 
 // Half of the letters may be wrong: more would suggest names that have nothing to do with the one typed.

@@ -15,16 +15,14 @@ fs::path find_inputs(const fs::path& program_folder, std::string_view from_envir
   if (!from_environment.empty()) {
     const fs::path folder(from_environment);
     if (holds_inputs(folder)) return fs::absolute(folder);
-    throw bad_input("VALIDATE_INPUTS: '{}' is not a folder of inputs (it must hold potentials/)",
-                    folder.string());
+    throw bad_input("VALIDATE_INPUTS: '{}' is not a folder of inputs (it must hold potentials/)", folder.string());
   }
   const fs::path in_build_tree = (program_folder / "../inputs").lexically_normal();
   const fs::path installed = (program_folder / "../share/validate").lexically_normal();
   if (holds_inputs(in_build_tree)) return in_build_tree;
   if (holds_inputs(installed)) return installed;
-  throw bad_input(
-      "the inputs (case files and potentials) are neither in '{}' nor in '{}'; set VALIDATE_INPUTS",
-      in_build_tree.string(), installed.string());
+  throw bad_input("the inputs (case files and potentials) are neither in '{}' nor in '{}'; set VALIDATE_INPUTS",
+                  in_build_tree.string(), installed.string());
 }
 
 fs::path inputs_folder() {
@@ -35,9 +33,8 @@ fs::path inputs_folder() {
 fs::path atoms_program() {
   const fs::path program = program_folder() / "validate-atoms";
   if (fs::is_regular_file(program)) return program;
-  throw Error(
-      ExitCode::atomistic_failed,
-      fmt::format("the atomistic program '{}' is missing; it belongs beside validate", program.string()));
+  throw Error(ExitCode::atomistic_failed,
+              fmt::format("the atomistic program '{}' is missing; it belongs beside validate", program.string()));
 }
 
 }  // namespace validate

@@ -12,8 +12,7 @@ std::filesystem::path program_folder();
 /// The folder with the case files and `potentials/`: `from_environment` unless it is empty, else ../inputs
 /// (build tree) or ../share/validate (installed) as seen from the program's folder. Throws Error (bad input)
 /// naming the places searched.
-std::filesystem::path find_inputs(const std::filesystem::path& program_folder,
-                                  std::string_view from_environment);
+std::filesystem::path find_inputs(const std::filesystem::path& program_folder, std::string_view from_environment);
 
 /// The same for this program and the variable VALIDATE_INPUTS.
 std::filesystem::path inputs_folder();

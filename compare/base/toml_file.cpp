@@ -60,9 +60,8 @@ double number_from(const Field& field, std::string_view label, const toml::node&
   }
   // value_exact would refuse an integer such as 110
   if (!node.is_number()) {
-    refuse_type(
-        node, label,
-        field.unit.empty() ? "a number" : fmt::format("a number in {} or a text with a unit", field.unit));
+    refuse_type(node, label,
+                field.unit.empty() ? "a number" : fmt::format("a number in {} or a text with a unit", field.unit));
   }
   return in_range(field, *node.value<double>(), label);
 }
@@ -90,8 +89,8 @@ toml::table parse(const std::filesystem::path& file, std::string_view label) {
   try {
     return toml::parse(read_file(file, label), file.string());
   } catch (const toml::parse_error& problem) {
-    throw bad_input("{}:{}: not valid TOML: {}", place(file, problem.source().begin),
-                    problem.source().begin.column, problem.description());
+    throw bad_input("{}:{}: not valid TOML: {}", place(file, problem.source().begin), problem.source().begin.column,
+                    problem.description());
   }
 }
 
@@ -141,8 +140,7 @@ void TomlFile::refuse_unknown_keys(const std::vector<Field>& fields) const {
   const auto refuse_unknown = [&](const toml::table& table, std::string_view name) {
     const auto known = keys_of(fields, name);
     for (const auto& [key, node] : table) {
-      const bool is_table_name =
-          name.empty() && std::find(tables.begin(), tables.end(), key.str()) != tables.end();
+      const bool is_table_name = name.empty() && std::find(tables.begin(), tables.end(), key.str()) != tables.end();
       const bool is_key = std::find(known.begin(), known.end(), key.str()) != known.end();
       if (!is_key && !is_table_name) refuse_key(place(file_, key.source().begin), key.str(), name, fields);
     }
@@ -194,8 +192,7 @@ void TomlFile::read_value(const Field& field, const std::string& label, std::vec
   }
 }
 
-void TomlFile::read_value(const Field& field, const std::string& label,
-                          std::vector<std::string>& value) const {
+void TomlFile::read_value(const Field& field, const std::string& label, std::vector<std::string>& value) const {
   value.clear();
   for (const toml::node& node : list_from(*find_node(content_->root, field), label)) {
     value.push_back(text_from(field, label, node));

@@ -21,9 +21,8 @@ constexpr double GPa = 1 / GPa_per_eV_per_A3;
 
 constexpr std::array lengths = {Unit{"A", 1},    Unit{"pm", 1e-2}, Unit{"nm", 10},
                                 Unit{"um", 1e4}, Unit{"mm", 1e7},  Unit{"m", 1e10}};
-constexpr std::array forces = {Unit{"eV/A", 1},    Unit{"meV/A", 1e-3},  Unit{"pN", 1e-3 * nN},
-                               Unit{"nN", nN},     Unit{"uN", 1e3 * nN}, Unit{"mN", 1e6 * nN},
-                               Unit{"N", 1e9 * nN}};
+constexpr std::array forces = {Unit{"eV/A", 1},      Unit{"meV/A", 1e-3},  Unit{"pN", 1e-3 * nN}, Unit{"nN", nN},
+                               Unit{"uN", 1e3 * nN}, Unit{"mN", 1e6 * nN}, Unit{"N", 1e9 * nN}};
 constexpr std::array membrane_forces = {Unit{"eV/A^2", 1},
                                         Unit{"meV/A^2", 1e-3},
                                         Unit{"eV/nm^2", 1e-2},
@@ -127,8 +126,8 @@ double parse_quantity(std::string_view text, std::string_view base_unit, std::st
     if (u.name == wanted) return number * u.in_base;
   }
   const auto names = unit_names(quantity);
-  throw bad_input("{}: '{}' has the unknown unit '{}'; a {} takes {}{}", label, text, unit_text,
-                  quantity.name, fmt::join(names, ", "), did_you_mean(wanted, names));
+  throw bad_input("{}: '{}' has the unknown unit '{}'; a {} takes {}{}", label, text, unit_text, quantity.name,
+                  fmt::join(names, ", "), did_you_mean(wanted, names));
 }
 
 }  // namespace validate

@@ -13,13 +13,13 @@
 #include <optional>
 #include <set>
 
-#include "compare/process/child_process.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/base/interrupt.hpp"
 #include "compare/base/file.hpp"
-#include "compare/documents/texts/summary_json.hpp"
+#include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/documents/texts/summary_json.hpp"
+#include "compare/process/child_process.hpp"
 
 namespace validate {
 namespace {
@@ -41,9 +41,7 @@ std::string case_name(const BatchCase& c) {
   return fmt::format("{}-R{:g}", fs::path(c.potential).stem().string(), c.radius_A);
 }
 
-bool is_finished(const fs::path& folder) {
-  return fs::exists(folder / "summary.json") && !fs::exists(folder / "work");
-}
+bool is_finished(const fs::path& folder) { return fs::exists(folder / "summary.json") && !fs::exists(folder / "work"); }
 
 bool is_batch(const fs::path& folder) {
   std::ifstream in(folder / "batch.json");
@@ -56,14 +54,12 @@ void prepare(const fs::path& folder, const std::vector<BatchCase>& cases, const 
     throw bad_input("--out: '{}' exists and does not hold a batch of this program; choose another folder",
                     folder.string());
   if (exists && !options.resume && !options.overwrite)
-    throw bad_input("--out: '{}' holds a batch; --resume goes on with it, --overwrite starts again",
-                    folder.string());
+    throw bad_input("--out: '{}' holds a batch; --resume goes on with it, --overwrite starts again", folder.string());
   if (!exists && options.resume) throw bad_input("--resume: '{}' holds no batch", folder.string());
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw Error(ExitCode::file_failed,
-                fmt::format("cannot create '{}': {}", folder.string(), error.message()));
+    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", folder.string(), error.message()));
   Json list = Json::array();
   for (const BatchCase& c : cases) list.push_back(case_name(c));
   write_file(folder / "batch.json", Json{{"schema", summary_schema}, {"cases", list}}.dump(1) + "\n");
@@ -107,13 +103,8 @@ struct RunningCase {
 
 class Batch {
  public:
-  Batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
-        const RunOptions& options)
-      : cases_(cases),
-        common_(common),
-        options_(options),
-        folder_(batch_folder(options)),
-        progress_(options.quiet) {
+  Batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common, const RunOptions& options)
+      : cases_(cases), common_(common), options_(options), folder_(batch_folder(options)), progress_(options.quiet) {
     prepare(folder_, cases, options);
     exit_codes_.assign(cases.size(), 0);
     for (const int core : cores()) free_cores_.insert(core);
@@ -148,8 +139,7 @@ class Batch {
     free_cores_.erase(core);
     const OnOneCore only(core);
     running_.push_back(
-        {index, core,
-         ChildProcess({words, fs::current_path(), folder_ / (case_name(cases_[index]) + ".log")})});
+        {index, core, ChildProcess({words, fs::current_path(), folder_ / (case_name(cases_[index]) + ".log")})});
     progress_.say(fmt::format("{}: started", case_name(cases_[index])));
   }
 
@@ -172,8 +162,7 @@ class Batch {
       const ChildEnd end = c.child.wait();
       exit_codes_[c.index] = end.signal ? 128 + end.signal : end.exit_code;
       free_cores_.insert(c.core);
-      progress_.say(
-          fmt::format("{}: ended with exit code {}", case_name(cases_[c.index]), exit_codes_[c.index]));
+      progress_.say(fmt::format("{}: ended with exit code {}", case_name(cases_[c.index]), exit_codes_[c.index]));
       return true;
     });
   }
@@ -182,9 +171,7 @@ class Batch {
   static int stored_exit_code(const fs::path& folder) {
     const Json summary = read(folder);
     const auto& agreement = summary.value("agreement", Json(nullptr));
-    return agreement.is_object() && !agreement.value("passed", true)
-               ? static_cast<int>(ExitCode::disagreement)
-               : 0;
+    return agreement.is_object() && !agreement.value("passed", true) ? static_cast<int>(ExitCode::disagreement) : 0;
   }
 
   static Json read(const fs::path& folder) {
@@ -214,16 +201,16 @@ class Batch {
 
   static std::string table(const Json& document) {
     std::string text =
-        fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}  {}\n", "potential", "R", "card",
-                    "load", "Eq. 16 E·h", "corrected", "membrane", "pretension", "largest", "verdict");
-    text += fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}\n", "", "Å", "N/m", "",
-                        "N/m ± error", "N/m", "itself N/m", "N/m ± error", "diff. %");
+        fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}  {}\n", "potential", "R", "card", "load",
+                    "Eq. 16 E·h", "corrected", "membrane", "pretension", "largest", "verdict");
+    text += fmt::format("{:<14}{:>7}{:>9} {:<7}{:>15}{:>11}{:>12}{:>15}{:>11}\n", "", "Å", "N/m", "", "N/m ± error",
+                        "N/m", "itself N/m", "N/m ± error", "diff. %");
     for (const Json& entry : document["cases"]) {
       const Json& summary = entry["summary"];
       if (!summary.is_object()) {
-        text += fmt::format("{:<14}{:>7g}  failed, exit code {}: see {}.log\n",
-                            entry["potential"].get<std::string>(), entry["radius_A"].get<double>(),
-                            entry["exit_code"].get<int>(), entry["folder"].get<std::string>());
+        text += fmt::format("{:<14}{:>7g}  failed, exit code {}: see {}.log\n", entry["potential"].get<std::string>(),
+                            entry["radius_A"].get<double>(), entry["exit_code"].get<int>(),
+                            entry["folder"].get<std::string>());
         continue;
       }
       for (const Json& run : summary["runs"])
@@ -263,12 +250,10 @@ class Batch {
 
 }  // namespace
 
-int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
-              const RunOptions& options) {
+int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common, const RunOptions& options) {
   std::set<std::string> names;
   for (const BatchCase& c : cases)
-    if (!names.insert(case_name(c)).second)
-      throw bad_input("--potential, --radius: {} is named twice", case_name(c));
+    if (!names.insert(case_name(c)).second) throw bad_input("--potential, --radius: {} is named twice", case_name(c));
   if (options.dry_run) {
     for (const BatchCase& c : cases) fmt::print("{}\n", case_name(c));
     return 0;

@@ -18,7 +18,6 @@ struct BatchCase {
 /// default), one core each, as many at a time as there are cores. With --resume finished cases are kept,
 /// unfinished ones go on. Writes summary.json with `cases` and prints one row per case. Returns the largest
 /// exit code of the cases. Throws Error: bad input for a folder in use; interrupted after stopping all cases.
-int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
-              const RunOptions& options);
+int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common, const RunOptions& options);
 
 }  // namespace validate

@@ -9,20 +9,20 @@
 #include <optional>
 
 #include "atomistic/protocol/math_threads.hpp"
-#include "compare/documents/bulge_result.hpp"
+#include "compare/base/errors.hpp"
+#include "compare/base/file.hpp"
+#include "compare/base/interrupt.hpp"
+#include "compare/base/paths.hpp"
+#include "compare/base/progress.hpp"
+#include "compare/base/toml_file.hpp"
 #include "compare/cli/atoms_options.hpp"
 #include "compare/cli/flags.hpp"
-#include "compare/base/errors.hpp"
-#include "compare/base/interrupt.hpp"
 #include "compare/documents/atoms_files.hpp"
-#include "compare/base/file.hpp"
+#include "compare/documents/bulge_result.hpp"
 #include "compare/documents/texts/summary_json.hpp"
-#include "compare/base/paths.hpp"
 #include "compare/potential/potential_card.hpp"
-#include "compare/base/progress.hpp"
 #include "compare/process/provenance.hpp"
 #include "compare/process/run_folder.hpp"
-#include "compare/base/toml_file.hpp"
 
 namespace validate {
 namespace {
@@ -56,7 +56,8 @@ void solve_membrane(const membrane::Problem& problem, BulgeResult& result, Progr
   result.factorisations = report.factorisations;
 }
 
-/// The membrane with the potential's constants, then the atoms. What failed of the atoms is returned, the membrane kept.
+/// The membrane with the potential's constants, then the atoms. What failed of the atoms is returned, the membrane
+/// kept.
 AtomsCurve solve_pair(const BulgePair& pair, const AtomsLaunch& launch, int ranks, const RunFolder& folder,
                       BulgeResult& result, Progress& progress) {
   solve_membrane(pair.membrane, result, progress);

@@ -10,8 +10,8 @@
 
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/figures/paper_figure.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/figures/paper_figure.hpp"
 
 namespace validate {
 namespace {
@@ -50,12 +50,12 @@ int figure(const FigureFlags& flags) {
   std::error_code error;
   fs::create_directories(work, error);
   if (error)
-    throw Error(ExitCode::file_failed,
-                fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
+    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
   Progress progress(flags.quiet);
   bool all_pass = true;
   for (const FigureEntry& entry : entries) {
-    const PaperFigure made = entry.make({work, potentials_for(entry.number, flags), flags.atoms, flags.starts, progress});
+    const PaperFigure made =
+        entry.make({work, potentials_for(entry.number, flags), flags.atoms, flags.starts, progress});
     write_paper_figure(made, folder);
     fmt::print("{}\n", numbers_text(made));
     all_pass = all_pass && std::ranges::all_of(made.numbers, passes);
@@ -81,11 +81,14 @@ void add_figure(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_flag("--atoms", flags->atoms, "figure 4: the same square as atoms beside the membrane (minutes)");
-  command->add_option("--starts", flags->starts, "figure 4 with atoms: searches for the lowest state; 1 to 20, default 3")
+  command
+      ->add_option("--starts", flags->starts, "figure 4 with atoms: searches for the lowest state; 1 to 20, default 3")
       ->check(CLI::Range(1, 20))
       ->type_name("N");
   command->add_flag("--quiet", flags->quiet, "no progress on stderr");
-  command->footer(footer + "\nExamples:\n  validate figure 1 --out figures\n  validate figure 4 --atoms --potential rebo --starts 4");
+  command->footer(
+      footer +
+      "\nExamples:\n  validate figure 1 --out figures\n  validate figure 4 --atoms --potential rebo --starts 4");
   command->callback([flags, &exit_code] { exit_code = figure(*flags); });
 }
 

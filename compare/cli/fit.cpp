@@ -14,11 +14,11 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/field_value.hpp"
-#include "compare/base/paths.hpp"
-#include "compare/potential/potential_card.hpp"
-#include "compare/fitting/measured_fit.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/paths.hpp"
 #include "compare/documents/texts/measured_report.hpp"
+#include "compare/fitting/measured_fit.hpp"
+#include "compare/potential/potential_card.hpp"
 #include "compare/process/provenance.hpp"
 
 namespace validate {
@@ -56,21 +56,18 @@ Given given(const std::string& flag, const std::string& value, const MeasuredCur
 
 double need(const Field& field, const Given& value) {
   if (value.text.empty())
-    throw bad_input("{}: is needed: {}, as a flag or as a remark '# {}: …' in the file", value.label,
-                    field.meaning, field.name);
+    throw bad_input("{}: is needed: {}, as a flag or as a remark '# {}: …' in the file", value.label, field.meaning,
+                    field.name);
   return parse_number(field, value.text, value.label);
 }
 
 double optional_length(const char* name, const std::string& text, Range range, double otherwise) {
-  return text.empty() ? otherwise
-                      : parse_number(Field{name, unit::length, "", range}, text, fmt::format("--{}", name));
+  return text.empty() ? otherwise : parse_number(Field{name, unit::length, "", range}, text, fmt::format("--{}", name));
 }
 
 Weighting weighting(const std::string& name) {
   const std::string chosen = parse_text(Field{.name = "weights", .choices = weight_names}, name, "--weights");
-  return chosen == "relative" ? Weighting::relative
-         : chosen == "sigma"  ? Weighting::sigma
-                              : Weighting::uniform;
+  return chosen == "relative" ? Weighting::relative : chosen == "sigma" ? Weighting::sigma : Weighting::uniform;
 }
 
 /// The card of the potential whose sheet is fitted.
@@ -79,7 +76,8 @@ std::optional<PotentialCard> card_of(const FitFlags& flags) {
   if (!flags.third_order.empty()) throw bad_input("--third-order: the potential of --potential has its own law");
   const PotentialFile file = read_potential(flags.potential, inputs_folder() / "potentials", "--potential");
   for (const std::string& warning : file.warnings) spdlog::warn("{}", warning);
-  PotentialCard card = potential_card(file, {.program = atoms_program(), .launcher = {}, .cores = 1}, card_cache(), false);
+  PotentialCard card =
+      potential_card(file, {.program = atoms_program(), .launcher = {}, .cores = 1}, card_cache(), false);
   if (!card.law) throw bad_input("--potential: '{}' has no calibrated law: {}", flags.potential, card.no_law);
   return card;
 }
@@ -92,11 +90,13 @@ std::optional<SheetPhysics> physics_of(const FitFlags& flags, const std::optiona
     return calibrated_physics(card->law->law, bending, card->potential.potential.name);
   }
   if (flags.third_order.empty()) return std::nullopt;
-  const double D = parse_number(Field{"third-order", unit::membrane_force, "", any_number()}, flags.third_order, "--third-order");
+  const double D =
+      parse_number(Field{"third-order", unit::membrane_force, "", any_number()}, flags.third_order, "--third-order");
   return third_order_physics(geometry.nu, D, geometry.bending_eV);
 }
 
-MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve, const std::optional<PotentialCard>& card) {
+MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
+                           const std::optional<PotentialCard>& card) {
   MeasuredOptions o;
   o.geometry.a_A = need(Field{"radius", unit::length, "radius of the suspended sheet", positive()},
                         given("radius", flags.radius, curve));
@@ -105,14 +105,12 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve, co
   o.geometry.nu = from_card ? card->card.nu() : need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, nu);
   const Given tip = given("tip-radius", flags.tip_radius, curve);
   if (!tip.text.empty())
-    o.geometry.tip_A =
-        parse_number(Field{"tip-radius", unit::length, "", not_negative()}, tip.text, tip.label);
+    o.geometry.tip_A = parse_number(Field{"tip-radius", unit::length, "", not_negative()}, tip.text, tip.label);
   if (!(o.geometry.tip_A < o.geometry.a_A))
     throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, o.geometry.tip_A,
                     o.geometry.a_A);
   if (!flags.bending.empty())
-    o.geometry.bending_eV =
-        parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
+    o.geometry.bending_eV = parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
   o.physics = physics_of(flags, card, o.geometry);
   o.model = flags.model;
   const ClosedForm& form = closed_form(o.model, "--model");
@@ -148,14 +146,12 @@ fs::path output_folder(const std::string& out) {
   const fs::path folder = out.empty() ? fs::current_path() : fs::path(out);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", out, error.message()));
+  if (error) throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", out, error.message()));
   return folder;
 }
 
 void write_document(const nlohmann::ordered_json& document, const std::string& target) {
-  const std::string text =
-      document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  const std::string text = document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (target != "-") return write_file(target, text);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
     throw Error(ExitCode::file_failed, "cannot write to stdout");
@@ -172,16 +168,13 @@ int fit(const FitFlags& flags) {
     results.push_back(evaluate(std::move(curve), options.back()));
   }
   if (flags.json != "-")
-    for (std::size_t i = 0; i < results.size(); ++i)
-      fmt::print("{}\n", measured_text(results[i], options[i]));
-  if (!flags.json.empty())
-    write_document(measured_document(results, options, command_line()), flags.json);
+    for (std::size_t i = 0; i < results.size(); ++i) fmt::print("{}\n", measured_text(results[i], options[i]));
+  if (!flags.json.empty()) write_document(measured_document(results, options, command_line()), flags.json);
   if (flags.out.empty()) return 0;
   const fs::path folder = output_folder(flags.out);
   std::set<std::string> taken;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (const auto warning =
-            draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
+    if (const auto warning = draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
       spdlog::warn("{}", *warning);
   write_document(measured_document(results, options, command_line()), (folder / "fit.json").string());
   return 0;
@@ -204,8 +197,7 @@ void add_fit(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("fit", "E·h and pretension of measured force-depth curves");
   const auto flags = std::make_shared<FitFlags>();
   command->add_option("files", flags->files, "CSV files")->required()->type_name("FILE");
-  const auto text = [&](const char* name, std::string& value, const char* meaning,
-                        const char* type = "VALUE") {
+  const auto text = [&](const char* name, std::string& value, const char* meaning, const char* type = "VALUE") {
     command->add_option(name, value, meaning)->type_name(type);
   };
   text("--radius", flags->radius, "radius of the suspended sheet; > 0 Å");
@@ -213,12 +205,11 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--tip", flags->tip, "shape of the tip; sphere, disc; default sphere", "NAME");
   text("--tip-radius", flags->tip_radius, "radius of the tip; 0 is a point; default 0");
   text("--bending", flags->bending, "bending modulus in eV, for the model plate, the warnings and the sheet", "NUMBER");
-  text("--potential", flags->potential, "fit a sheet of this potential's own law, with bending, beside the closed form", "NAME");
-  text("--third-order", flags->third_order,
-       "fit a sheet with S = E·h E + D E²: this D, -690 N/m in Lee et al. 2008");
-  text("--model", flags->model, "closed form to fit; default eq16", "NAME");
-  text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform",
+  text("--potential", flags->potential, "fit a sheet of this potential's own law, with bending, beside the closed form",
        "NAME");
+  text("--third-order", flags->third_order, "fit a sheet with S = E·h E + D E²: this D, -690 N/m in Lee et al. 2008");
+  text("--model", flags->model, "closed form to fit; default eq16", "NAME");
+  text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform", "NAME");
   text("--depth-column", flags->depth_column, "header or number of the depth column", "NAME");
   text("--force-column", flags->force_column, "header or number of the force column", "NAME");
   text("--sigma-column", flags->sigma_column, "header or number of the forces' standard deviations", "NAME");

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "compare/input/bulge_case.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/units.hpp"
+#include "compare/input/bulge_case.hpp"
 
 namespace validate {
 namespace {
@@ -17,20 +17,14 @@ std::string flag_of(const Field& field) { return fmt::format("--{}", field.name)
 std::string placeholder(const Field& field, double) { return field.unit.empty() ? "NUMBER" : "VALUE"; }
 std::string placeholder(const Field& field, const std::optional<double>&) { return placeholder(field, 0.0); }
 std::string placeholder(const Field&, const std::string&) { return "NAME"; }
-std::string placeholder(const Field& field, const std::vector<double>&) {
-  return placeholder(field, 0.0) + ",...";
-}
+std::string placeholder(const Field& field, const std::vector<double>&) { return placeholder(field, 0.0) + ",..."; }
 std::string placeholder(const Field&, const std::vector<std::string>&) { return "NAME,..."; }
 
 std::string shown_default(double value) { return fmt::format("{}", value); }
 std::string shown_default(const std::optional<double>& value) { return value ? shown_default(*value) : ""; }
 std::string shown_default(const std::string& value) { return value; }
-std::string shown_default(const std::vector<double>& values) {
-  return fmt::format("{}", fmt::join(values, ","));
-}
-std::string shown_default(const std::vector<std::string>& values) {
-  return fmt::format("{}", fmt::join(values, ","));
-}
+std::string shown_default(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, ",")); }
+std::string shown_default(const std::vector<std::string>& values) { return fmt::format("{}", fmt::join(values, ",")); }
 
 bool is_number(const std::string&) { return false; }
 bool is_number(const std::vector<std::string>&) { return false; }
@@ -83,8 +77,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 }
 
 std::string single_text(const Field& field, const CLI::Option& option) {
-  if (option.count() > 1)
-    throw bad_input("{}: given {} times; one value is expected", flag_of(field), option.count());
+  if (option.count() > 1) throw bad_input("{}: given {} times; one value is expected", flag_of(field), option.count());
   return option.results().front();
 }
 
@@ -189,8 +182,7 @@ template void add_flags<BulgeCase>(CLI::App&);
 template void apply_flags<BulgeCase>(const CLI::App&, BulgeCase&, Origins&);
 
 void add_run_options(CLI::App& command, RunOptions& options) {
-  const auto add_path = [&](const char* name, std::optional<std::filesystem::path>& path,
-                            const char* meaning) {
+  const auto add_path = [&](const char* name, std::optional<std::filesystem::path>& path, const char* meaning) {
     const auto read_path = [&path, name](const std::string& text) {
       if (text.empty()) throw bad_input("{}: the path is empty", name);
       path = text;

@@ -38,8 +38,8 @@ class CaseFlags {
 template <class Described>
 void add_flags(CLI::App& command);
 
-/// Overwrites the fields whose flags were given and adds "--flag" as their origin. Throws Error (bad input) that names the
-/// flag, the value and what is allowed.
+/// Overwrites the fields whose flags were given and adds "--flag" as their origin. Throws Error (bad input) that names
+/// the flag, the value and what is allowed.
 template <class Described>
 void apply_flags(const CLI::App& command, Described& described, Origins& origins);
 

@@ -8,11 +8,11 @@
 #include <optional>
 #include <string_view>
 
-#include "compare/input/case_file.hpp"
+#include "compare/base/paths.hpp"
 #include "compare/cli/batch.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/cli/run_indentation.hpp"
-#include "compare/base/paths.hpp"
+#include "compare/input/case_file.hpp"
 #include "compare/input/potential_file.hpp"
 #include "compare/potential/switch_length.hpp"
 
@@ -44,8 +44,7 @@ ReadCase read(const CaseFlags& flags, const RunOptions& options, const Variant& 
   flags.apply(c, origins, variant);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
   if (!has_given_constants(c)) {
-    result.potential =
-        read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
+    result.potential = read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
     for (const std::string& warning : result.potential->warnings) spdlog::warn("{}", warning);
     if (c.switch_length_A) check_switch(*result.potential, label_of(origins, "switch-length"));
   }
@@ -66,8 +65,7 @@ std::vector<std::string> common_words(const CLI::App& command) {
     const std::string name = option->get_name();
     if (option->count() == 0 || is_batch_flag(name)) continue;
     words.push_back(name);
-    if (option->get_items_expected_max() > 0)
-      words.push_back(fmt::format("{}", fmt::join(option->results(), ",")));
+    if (option->get_items_expected_max() > 0) words.push_back(fmt::format("{}", fmt::join(option->results(), ",")));
   }
   return words;
 }
@@ -110,8 +108,7 @@ void add_indentation(CLI::App& app, int& exit_code) {
                  "depth and curve")
       ->group("Run");
   command->footer(indentation_examples);
-  command->callback(
-      [command, flags, options, &exit_code] { exit_code = indentation(*command, *flags, *options); });
+  command->callback([command, flags, options, &exit_code] { exit_code = indentation(*command, *flags, *options); });
 }
 
 }  // namespace validate

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/base/errors.hpp"
+#include "compare/base/nearest.hpp"
 #include "compare/cli/bulge.hpp"
 #include "compare/cli/figure.hpp"
 #include "compare/cli/fit.hpp"
@@ -22,8 +24,6 @@
 #include "compare/cli/potential.hpp"
 #include "compare/cli/report.hpp"
 #include "compare/cli/verify.hpp"
-#include "compare/base/errors.hpp"
-#include "compare/base/nearest.hpp"
 #include "compare/process/provenance.hpp"
 
 namespace {
@@ -37,14 +37,10 @@ struct Command {
 
 // Every command of the program.
 constexpr std::array commands = {
-    Command{"bulge", validate::add_bulge},
-    Command{"figure", validate::add_figure},
-    Command{"fit", validate::add_fit},
-    Command{"indentation", validate::add_indentation},
-    Command{"model", validate::add_model},
-    Command{"potential", validate::add_potential},
-    Command{"report", validate::add_report},
-    Command{"verify", validate::add_verify},
+    Command{"bulge", validate::add_bulge},   Command{"figure", validate::add_figure},
+    Command{"fit", validate::add_fit},       Command{"indentation", validate::add_indentation},
+    Command{"model", validate::add_model},   Command{"potential", validate::add_potential},
+    Command{"report", validate::add_report}, Command{"verify", validate::add_verify},
 };
 
 int fail(ExitCode code, std::string_view message) {
@@ -56,8 +52,7 @@ int fail(ExitCode code, std::string_view message) {
 void set_up_log() {
   const char* no_color = std::getenv("NO_COLOR");
   const bool plain = no_color != nullptr && *no_color != '\0';
-  auto log =
-      spdlog::stderr_color_mt("validate", plain ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+  auto log = spdlog::stderr_color_mt("validate", plain ? spdlog::color_mode::never : spdlog::color_mode::automatic);
   log->set_pattern("validate: %^%l%$: %v");
   spdlog::set_default_logger(log);
 }
@@ -72,15 +67,15 @@ void refuse_unknown_command(std::string_view word) {
   const auto names = command_names();
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw validate::bad_input("unknown command '{}'; allowed: {}{}", word, fmt::join(names, ", "),
-                           validate::did_you_mean(word, names));
+                            validate::did_you_mean(word, names));
 }
 
 std::string extras_message(const CLI::App& app) {
   const std::string word = app.remaining(true).front();
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) {
-    return fmt::format("unknown flag '{}' before the command; use validate COMMAND {} …, commands: {}", word,
-                       word, fmt::join(command_names(), ", "));
+    return fmt::format("unknown flag '{}' before the command; use validate COMMAND {} …, commands: {}", word, word,
+                       fmt::join(command_names(), ", "));
   }
   const auto parts = chosen.front()->get_subcommands([](const CLI::App*) { return true; });
   if (!word.starts_with('-') && !parts.empty()) {
@@ -90,8 +85,7 @@ std::string extras_message(const CLI::App& app) {
     return fmt::format("unknown {} '{}'; allowed: {}{}", chosen.front()->get_name(), word, fmt::join(owned, ", "),
                        validate::did_you_mean(word, names));
   }
-  if (!word.starts_with('-'))
-    return fmt::format("unexpected argument '{}'; a value belongs to a --flag", word);
+  if (!word.starts_with('-')) return fmt::format("unexpected argument '{}'; a value belongs to a --flag", word);
   const CLI::App& command = *chosen.front();
   const auto names = validate::flag_names(command);
   const std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -8,8 +8,8 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/field_value.hpp"
-#include "compare/fitting/models/list.hpp"
 #include "compare/base/units.hpp"
+#include "compare/fitting/models/list.hpp"
 
 namespace validate {
 namespace {
@@ -20,8 +20,7 @@ struct ModelFlags {
 };
 
 std::string description(const ClosedForm& form) {
-  return fmt::format("{}\n  {}\n  holds for: {}\n  source: {}\n", form.name, form.formula, form.validity,
-                     form.source);
+  return fmt::format("{}\n  {}\n  holds for: {}\n  source: {}\n", form.name, form.formula, form.validity, form.source);
 }
 
 double number(const char* name, std::string_view base, Range range, const std::string& text) {

@@ -15,13 +15,15 @@ namespace {
 /// Graphene's lattice constant, for counting before the potential's own is known.
 constexpr double typical_a0_A = 2.46;
 
-/// Measured averages: evaluations for a level, and AIREBO's time for an atom's force on one core (the dearest potential).
+/// Measured averages: evaluations for a level, and AIREBO's time for an atom's force on one core (the dearest
+/// potential).
 constexpr double evaluations_per_level = 9, dearest_force_s = 5e-6, factor_and_solve_s = 3e-6;
 
 std::string atoms_plan(const Case& c, const atomistic::Potential& potential, std::size_t levels, int cores) {
   const double outer = c.radius_A + potential.interaction_range_A;
   const double atoms = std::numbers::pi * outer * outer / (std::numbers::sqrt3 / 4 * typical_a0_A * typical_a0_A);
-  const double curves = static_cast<double>(c.loads.size()), evaluations = evaluations_per_level * static_cast<double>(levels);
+  const double curves = static_cast<double>(c.loads.size()),
+               evaluations = evaluations_per_level * static_cast<double>(levels);
   const double serial_s = curves * evaluations * atoms * (dearest_force_s + factor_and_solve_s);
   return fmt::format(
       "atoms: about {:.0f} ({:.1f} Å wide clamped ring), {:.0f} curve(s) of {} depths or more\n"

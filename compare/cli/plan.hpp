@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "compare/process/atoms.hpp"
 #include "compare/input/case.hpp"
 #include "compare/input/potential_file.hpp"
+#include "compare/process/atoms.hpp"
 
 namespace validate {
 

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "compare/cli/flags.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/base/interrupt.hpp"
-#include "compare/documents/texts/card_files.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/cli/flags.hpp"
+#include "compare/documents/texts/card_files.hpp"
 #include "compare/potential/potential_card.hpp"
 #include "compare/potential/switch_length.hpp"
 
@@ -82,10 +82,12 @@ int potential(const Options& options) {
 }  // namespace
 
 void add_potential(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("potential", "what a potential says of flat graphene: moduli, strength, bending");
+  CLI::App* command =
+      app.add_subcommand("potential", "what a potential says of flat graphene: moduli, strength, bending");
   const auto options = std::make_shared<Options>();
   command->add_option("NAME", options->name, "name in inputs/potentials, or path to a TOML file")->required();
-  command->add_option("--out", options->out, "folder for card.json, law.toml, stress-strain.csv, .svg, .png")->type_name("DIR");
+  command->add_option("--out", options->out, "folder for card.json, law.toml, stress-strain.csv, .svg, .png")
+      ->type_name("DIR");
   command->add_option("--json", options->json, "write the card there; - is stdout")->type_name("FILE");
   command->add_option("--switch-length", options->switch_length, "move the C-C switch of AIREBO or REBO there, Å")
       ->type_name("VALUE");

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "compare/documents/texts/report_html.hpp"
 #include "compare/documents/run_h5_read.hpp"
+#include "compare/documents/texts/report_html.hpp"
 
 namespace validate {
 namespace {
@@ -32,11 +32,8 @@ int report(const ReportFlags& flags) {
 void add_report(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("report", "report.html of a finished run, without computing");
   const auto flags = std::make_shared<ReportFlags>();
-  command->add_option("run", flags->run, "run.h5, or the folder that holds it")
-      ->required()
-      ->type_name("FILE");
-  command->add_option("--out", flags->out, "page to write; default: report.html beside run.h5")
-      ->type_name("FILE");
+  command->add_option("run", flags->run, "run.h5, or the folder that holds it")->required()->type_name("FILE");
+  command->add_option("--out", flags->out, "page to write; default: report.html beside run.h5")->type_name("FILE");
   command->footer("Example:\n  validate report runs/indentation-airebo-R110/run.h5");
   command->callback([flags, &exit_code] { exit_code = report(*flags); });
 }

@@ -5,24 +5,25 @@
 #include <nlohmann/json.hpp>
 
 #include "atomistic/protocol/math_threads.hpp"
-#include "compare/cli/atoms_options.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/cli/atoms_options.hpp"
+#include "compare/cli/plan.hpp"
 #include "compare/documents/atoms_files.hpp"
 #include "compare/documents/outputs.hpp"
 #include "compare/documents/texts/report_html.hpp"
 #include "compare/documents/texts/summary_json.hpp"
 #include "compare/documents/texts/table.hpp"
-#include "compare/cli/plan.hpp"
+#include "compare/potential/switch_length.hpp"
 #include "compare/process/run_folder.hpp"
 #include "compare/study/study.hpp"
-#include "compare/potential/switch_length.hpp"
 
 namespace validate {
 namespace {
 
 std::string folder_name(const Case& c) {
-  const std::string potential = has_given_constants(c) ? "membrane" : std::filesystem::path(c.potential).stem().string();
+  const std::string potential =
+      has_given_constants(c) ? "membrane" : std::filesystem::path(c.potential).stem().string();
   return fmt::format("indentation-{}-R{:g}", potential, c.radius_A);
 }
 

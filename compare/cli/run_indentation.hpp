@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "compare/input/case.hpp"
-#include "compare/input/run_options.hpp"
 #include "compare/input/potential_file.hpp"
+#include "compare/input/run_options.hpp"
 
 namespace validate {
 

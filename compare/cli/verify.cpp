@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "compare/base/errors.hpp"
-#include "compare/base/nearest.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/nearest.hpp"
 #include "compare/base/progress.hpp"
-#include "compare/verify/groups.hpp"
 #include "compare/documents/texts/verify_table.hpp"
+#include "compare/verify/groups.hpp"
 #include "membrane/base/fault.hpp"
 
 namespace validate {
@@ -37,15 +37,13 @@ const Group& group_of(const std::string& name) {
     if (group.name == name) return group;
     names.push_back(group.name);
   }
-  throw bad_input("--group: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "),
-                  did_you_mean(name, names));
+  throw bad_input("--group: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "), did_you_mean(name, names));
 }
 
 std::vector<Group> chosen(const VerifyFlags& flags) {
   constexpr std::string_view only = "membrane";
   if (flags.what != only)
-    throw bad_input("verify: '{}' is none; allowed: {}{}", flags.what, only,
-                    did_you_mean(flags.what, {&only, 1}));
+    throw bad_input("verify: '{}' is none; allowed: {}{}", flags.what, only, did_you_mean(flags.what, {&only, 1}));
   std::vector<Group> result;
   for (const std::string& name : flags.groups) result.push_back(group_of(name));
   if (result.empty()) result.assign(verify::groups().begin(), verify::groups().end());
@@ -61,8 +59,7 @@ void set_fault(const std::string& name) {
     names.push_back(fault.name);
   }
   if (membrane::present_fault == membrane::Fault::none)
-    throw bad_input("--break: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "),
-                    did_you_mean(name, names));
+    throw bad_input("--break: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "), did_you_mean(name, names));
 }
 #else
 void set_fault(const std::string&) {}
@@ -88,8 +85,7 @@ void write_files(const VerifyFlags& flags, const std::vector<Row>& rows, const s
   std::error_code error;
   fs::create_directories(flags.out, error);
   if (error)
-    throw Error(ExitCode::file_failed,
-                fmt::format("--out: cannot create '{}': {}", flags.out, error.message()));
+    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", flags.out, error.message()));
   write_file(fs::path(flags.out) / "verify.csv", verify::table_csv(rows));
   write_file(fs::path(flags.out) / "verify.json", json);
 }

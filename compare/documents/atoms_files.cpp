@@ -10,8 +10,8 @@
 
 #include "atomistic/protocol/data_file.hpp"
 #include "atomistic/protocol/step_file.hpp"
-#include "compare/documents/bytes/extxyz.hpp"
 #include "compare/base/file.hpp"
+#include "compare/documents/bytes/extxyz.hpp"
 
 namespace validate {
 namespace {

@@ -1,15 +1,16 @@
 #include "compare/documents/bulge_result.hpp"
 
 #include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "compare/documents/texts/bulge_atoms_files.hpp"
-#include "compare/documents/plots/field_figure.hpp"
-#include "compare/documents/fields_h5.hpp"
 #include "compare/base/file.hpp"
-#include "compare/results/keys.hpp"
 #include "compare/documents/bytes/vtu.hpp"
+#include "compare/documents/fields_h5.hpp"
+#include "compare/documents/plots/field_figure.hpp"
+#include "compare/documents/texts/bulge_atoms_files.hpp"
+#include "compare/results/keys.hpp"
 #include "compare/results/result_fields.hpp"
 
 namespace validate {
@@ -125,7 +126,8 @@ Json bulge_document(const BulgeResult& result) {
 void write_bulge(const BulgeResult& result, const std::filesystem::path& folder) {
   write_h5(result, folder);
   write_csv(result, folder);
-  write_file(folder / "summary.json", bulge_document(result).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(folder / "summary.json",
+             bulge_document(result).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_pvd(result.pictures, folder, "membrane");
   if (result.atoms) {
     write_file(folder / "atoms.csv", bulge_atoms_csv(*result.atoms));
@@ -137,18 +139,18 @@ void write_bulge(const BulgeResult& result, const std::filesystem::path& folder)
 
 std::string bulge_table(const BulgeResult& result) {
   const BulgeCase& c = result.resolved;
-  std::string text = fmt::format("{} of {:g} Å, edge {}, E·h = {:.4g} eV/Å² ({:.4g} N/m), nu = {:g}, {} triangles on the {}{}\n\n",
-                                 c.shape, c.size_A, c.edge, c.E_eV_per_A3 * c.thickness_A,
-                                 c.E_eV_per_A3 * c.thickness_A * N_per_m_per_eV_per_A2, c.nu, result.triangles,
-                                 c.extent == "quarter" ? "quarter" : "full sheet",
-                                 c.unrelaxed ? ", compression allowed" : "");
-  text += "  pressure     centre      volume  wrinkled  slack  pull-in   max stress   min stress of 2nd    max of 2nd\n"
-          "    eV/Å³          Å          Å³         %      %        Å        eV/Å³         eV/Å³           eV/Å³\n";
+  std::string text = fmt::format(
+      "{} of {:g} Å, edge {}, E·h = {:.4g} eV/Å² ({:.4g} N/m), nu = {:g}, {} triangles on the {}{}\n\n", c.shape,
+      c.size_A, c.edge, c.E_eV_per_A3 * c.thickness_A, c.E_eV_per_A3 * c.thickness_A * N_per_m_per_eV_per_A2, c.nu,
+      result.triangles, c.extent == "quarter" ? "quarter" : "full sheet", c.unrelaxed ? ", compression allowed" : "");
+  text +=
+      "  pressure     centre      volume  wrinkled  slack  pull-in   max stress   min stress of 2nd    max of 2nd\n"
+      "    eV/Å³          Å          Å³         %      %        Å        eV/Å³         eV/Å³           eV/Å³\n";
   for (const BulgePoint& p : result.points)
     text += fmt::format("{:10.4e} {:10.3f} {:11.5g} {:9.1f} {:6.1f} {:8.2f} {:12.5f} {:15.5f} {:15.5f}{}\n",
                         p.pressure_eV_per_A3, p.depth_A, p.volume_A3, 100 * p.wrinkled_area_fraction,
-                        100 * p.slack_area_fraction, p.edge_pull_in_A, p.stress_1_max_eV_per_A3, p.stress_2_min_eV_per_A3,
-                        p.stress_2_max_eV_per_A3, p.converged ? "" : "  not converged");
+                        100 * p.slack_area_fraction, p.edge_pull_in_A, p.stress_1_max_eV_per_A3,
+                        p.stress_2_min_eV_per_A3, p.stress_2_max_eV_per_A3, p.converged ? "" : "  not converged");
   if (c.edge == "sliding" && !c.unrelaxed)
     text += "\nPull-in and wrinkled area depend on mesh and path: states of nearly equal energy differ in them.\n";
   if (result.atoms) text += bulge_atoms_table(*result.atoms);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/study/bulge_atoms.hpp"
 #include "compare/input/bulge_case.hpp"
-#include "compare/results/sheet_columns.hpp"
 #include "compare/results/result.hpp"
+#include "compare/results/sheet_columns.hpp"
+#include "compare/study/bulge_atoms.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {

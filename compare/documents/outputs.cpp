@@ -1,15 +1,15 @@
 #include "compare/documents/outputs.hpp"
 
-#include <spdlog/spdlog.h>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <exception>
 
-#include "compare/documents/texts/curves_csv.hpp"
+#include "compare/documents/bytes/vtu.hpp"
 #include "compare/documents/plots/figure.hpp"
 #include "compare/documents/run_h5.hpp"
+#include "compare/documents/texts/curves_csv.hpp"
 #include "compare/documents/texts/summary_json.hpp"
-#include "compare/documents/bytes/vtu.hpp"
 
 namespace validate {
 

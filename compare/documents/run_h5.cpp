@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include "compare/documents/fields_h5.hpp"
 #include "compare/base/file.hpp"
 #include "compare/documents/bytes/h5.hpp"
-#include "compare/results/keys.hpp"
+#include "compare/documents/fields_h5.hpp"
 #include "compare/documents/texts/summary_json.hpp"
+#include "compare/results/keys.hpp"
 
 namespace validate {
 
@@ -95,8 +95,7 @@ void write_run(h5::Group& runs, std::size_t index, const Run& run) {
   }
   if (!run.pictures) return;
   h5::Group fields = group.group("fields");
-  for (std::size_t i = 0; i < run.pictures->size(); ++i)
-    write_fields(fields, fmt::format("{}", i), (*run.pictures)[i]);
+  for (std::size_t i = 0; i < run.pictures->size(); ++i) write_fields(fields, fmt::format("{}", i), (*run.pictures)[i]);
 }
 
 void write_result(h5::Group& root, const Result& result) {

@@ -6,8 +6,8 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/documents/bytes/h5_read.hpp"
-#include "compare/results/keys.hpp"
 #include "compare/documents/texts/summary_json.hpp"
+#include "compare/results/keys.hpp"
 
 namespace validate {
 namespace {
@@ -23,7 +23,8 @@ void from_text(const std::string& text, Model& value) {
   value = enum_from(text, {Model::membrane, Model::atomistic, Model::sheet});
 }
 void from_text(const std::string& text, Constants& value) {
-  value = enum_from(text, {Constants::card, Constants::paper, Constants::given, Constants::calibrated, Constants::none});
+  value =
+      enum_from(text, {Constants::card, Constants::paper, Constants::given, Constants::calibrated, Constants::none});
 }
 void from_text(const std::string& text, Ended& value) {
   value = enum_from(text, {Ended::depth_max, Ended::artefact, Ended::rupture, Ended::not_converged});
@@ -118,8 +119,7 @@ Result read_result(const h5::ReadGroup& root) {
   read_optional(root, "sheet", result.sheet);
   read_optional(root, "card", result.card);
   if (const auto runs = root.group("runs"))
-    for (int i = 0; const auto run = runs->group(std::to_string(i)); ++i)
-      result.runs.push_back(read_run(*run));
+    for (int i = 0; const auto run = runs->group(std::to_string(i)); ++i) result.runs.push_back(read_run(*run));
   read_optional(root, "agreement", result.agreement);
   if (result.agreement) read_columns(*root.group("agreement"), *result.agreement);
   if (root.has_attribute("agreement_skipped")) result.agreement_skipped = root.text("agreement_skipped");
@@ -149,12 +149,11 @@ Result read_result(const h5::ReadGroup& root) {
 Result read_run_h5(const std::filesystem::path& file, std::string_view label) {
   const h5::ReadGroup root = h5::open_file(file, label);
   if (!root.has_attribute("schema") || !root.group("runs"))
-    throw bad_input("{}'{}' is HDF5, but no run of this program",
-                    label.empty() ? "" : std::string(label) + ": ", file.string());
+    throw bad_input("{}'{}' is HDF5, but no run of this program", label.empty() ? "" : std::string(label) + ": ",
+                    file.string());
   if (root.number("schema") != summary_schema)
-    throw bad_input("{}'{}' has schema {}; this program reads {}",
-                    label.empty() ? "" : std::string(label) + ": ", file.string(), root.number("schema"),
-                    summary_schema);
+    throw bad_input("{}'{}' has schema {}; this program reads {}", label.empty() ? "" : std::string(label) + ": ",
+                    file.string(), root.number("schema"), summary_schema);
   return read_result(root);
 }
 

@@ -7,20 +7,19 @@
 #include <stdexcept>
 #include <variant>
 
-#include "compare/fitting/curve.hpp"
+#include "compare/base/units.hpp"
 #include "compare/figures/paper_figure.hpp"
+#include "compare/fitting/curve.hpp"
 #include "compare/fitting/membrane_fit.hpp"
 #include "compare/fitting/models/eq16.hpp"
 #include "compare/fitting/run_fit.hpp"
-#include "compare/base/units.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
 namespace {
 
 constexpr double nu = 0.165, Eh_N_per_m = 342, Eh_spread_N_per_m = 30, pretension_N_per_m = 0.34;
-constexpr double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2,
-                 pretension = pretension_N_per_m / N_per_m_per_eV_per_A2;
+constexpr double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = pretension_N_per_m / N_per_m_per_eV_per_A2;
 constexpr double nm = 10;  // Å
 constexpr int points = 24;
 
@@ -83,10 +82,9 @@ struct NamedLaw {
 
 /// Laws that part from St Venant–Kirchhoff's at large strain, under the disc of 16.5 nm.
 std::vector<NamedLaw> other_laws() {
-  return {
-      {membrane::neo_hookean(Eh, nu), "neo-Hookean, disc of 16.5 nm", "lines lc rgb '#CC79A7' lw 1.5 dt '_'"},
-      {membrane::LeeGraphene{Eh, nu}, "Lee et al.'s softening law, disc of 16.5 nm",
-       "lines lc rgb '#E69F00' lw 1.5 dt '-.'"}};
+  return {{membrane::neo_hookean(Eh, nu), "neo-Hookean, disc of 16.5 nm", "lines lc rgb '#CC79A7' lw 1.5 dt '_'"},
+          {membrane::LeeGraphene{Eh, nu}, "Lee et al.'s softening law, disc of 16.5 nm",
+           "lines lc rgb '#E69F00' lw 1.5 dt '-.'"}};
 }
 
 /// A nodal force on the paper's mesh: 44 equal rings, 1936 triangles on the quarter. Forces at the given
@@ -107,8 +105,7 @@ std::vector<double> paper_mesh_forces(double a) {
   return force;
 }
 
-void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip,
-                             const std::vector<double>& force) {
+void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, const std::vector<double>& force) {
   CurveFitOptions plain;
   plain.bootstrap_samples = 0;
   const auto found = fit_curve(any_model(Eq16{a, nu}), depths(a), force, plain);
@@ -116,13 +113,11 @@ void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip,
   if (!fit) return;
   const std::string where = fmt::format("a = {:g} µm, Eq. 16 fitted to {}", a / 1e4, tip.name);
   const std::string source = "Lee et al. 2008, averages";
-  figure.numbers.push_back({where + ": E·h", "N/m", source, Eh_N_per_m,
-                            fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+  figure.numbers.push_back({where + ": E·h", "N/m", source, Eh_N_per_m, fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
                             "the membrane has 342 N/m; a tip of finite size is read as a stiffer sheet"});
-  figure.numbers.push_back(
-      {where + ": pretension", "N/m", source, pretension_N_per_m,
-       fit->pretension_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
-       "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
+  figure.numbers.push_back({where + ": pretension", "N/m", source, pretension_N_per_m,
+                            fit->pretension_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+                            "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
 }
 
 FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
@@ -132,8 +127,7 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
       .y_label = "force (nN)",
       .x_key = "depth_nm",
       .y_key = "force_nN",
-      .settings =
-          "set xrange [0:*]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',10'\n",
+      .settings = "set xrange [0:*]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',10'\n",
       .curves = {}};
   panel.curves.push_back(eq16_band(a));
   panel.curves.push_back({"Eq. 16, averages",
@@ -146,10 +140,8 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
   int index = 0;
   for (const Tip& tip : tips(a)) {
     context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
-    const std::vector<double> force =
-        membrane_forces({a, nu, tip.radius_A, 0, tip.sphere}, Eh, pretension, depths(a));
-    panel.curves.push_back(
-        {tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
+    const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0, tip.sphere}, Eh, pretension, depths(a));
+    panel.curves.push_back({tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
     if (a == 5000 && index < 2)
       figure.numbers.push_back({fmt::format("a = 0.5 µm, {}: depth at 1500 nN", tip.name), "nm",
                                 "one-dimensional solver written separately", reference_nm[index],
@@ -174,13 +166,9 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
     const SheetCurve curve = sheet_curve({a, nu, 16.5 * nm, 0, false}, other.law, pretension, depths(a));
     if (!curve.ended_early.empty())
       context.progress.say(fmt::format("figure 1: {} ends at {:.3g} nm: {}", other.name,
-                                       curve.depth_A.empty() ? 0 : curve.depth_A.back() / nm,
-                                       curve.ended_early));
-    panel.curves.push_back({other.name,
-                            times(curve.depth_A, 1 / nm),
-                            times(curve.force_eV_per_A, nN_per_eV_per_A),
-                            {},
-                            other.style});
+                                       curve.depth_A.empty() ? 0 : curve.depth_A.back() / nm, curve.ended_early));
+    panel.curves.push_back(
+        {other.name, times(curve.depth_A, 1 / nm), times(curve.force_eV_per_A, nN_per_eV_per_A), {}, other.style});
   }
   if (a == 5000)
     figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64,

@@ -7,19 +7,19 @@
 #include <filesystem>
 #include <optional>
 
-#include "compare/verdict/agreement.hpp"
-#include "compare/process/atoms.hpp"
-#include "compare/input/case_file.hpp"
-#include "compare/fitting/curve.hpp"
 #include "compare/base/errors.hpp"
+#include "compare/base/paths.hpp"
+#include "compare/base/units.hpp"
 #include "compare/figures/paper_figure.hpp"
+#include "compare/fitting/curve.hpp"
 #include "compare/fitting/membrane_fit.hpp"
 #include "compare/fitting/models/eq16.hpp"
 #include "compare/fitting/models/foeppl.hpp"
-#include "compare/base/paths.hpp"
+#include "compare/input/case_file.hpp"
 #include "compare/input/potential_file.hpp"
+#include "compare/process/atoms.hpp"
 #include "compare/study/study.hpp"
-#include "compare/base/units.hpp"
+#include "compare/verdict/agreement.hpp"
 
 namespace validate {
 namespace {
@@ -27,8 +27,7 @@ namespace {
 constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"};
 
 // The paper's sheet (its reference [30]) and shell: κ = E h³/12(1 − ν²).
-constexpr double radius_A = 110, tip_A = 10, paper_Eh = 5.864 * 1.37, paper_nu = 0.19,
-                 paper_bending_eV = 1.30;
+constexpr double radius_A = 110, tip_A = 10, paper_Eh = 5.864 * 1.37, paper_nu = 0.19, paper_bending_eV = 1.30;
 // Duan & Wang's thickness for a plate of the card's E·h (the paper's reference [47]).
 constexpr double duan_wang_thickness_A = 0.52;
 
@@ -52,8 +51,7 @@ StudyOutcome study(const std::string& potential, const FigureContext& context) {
   c.potential = potential;
   c.radius_A = radius_A;
   c.tip_radius_A = tip_A;
-  const std::optional<PotentialFile> file =
-      read_potential(potential, inputs_folder() / "potentials", "--potential");
+  const std::optional<PotentialFile> file = read_potential(potential, inputs_folder() / "potentials", "--potential");
   const std::filesystem::path folder = context.work / std::filesystem::path(potential).stem();
   std::filesystem::create_directories(folder / "work");
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = available_cores()};
@@ -79,14 +77,12 @@ void add_runs(FigurePanel& point, FigurePanel& disc, const Result& result, const
       panel.curves.push_back(
           curve_of(run, potential + ", atoms", fmt::format("points pt 7 ps 0.7 lc rgb '{}'", colour)));
     else if (run.constants == Constants::card)
-      panel.curves.push_back(
-          curve_of(run, potential + ", membrane", fmt::format("lines lw 1.5 lc rgb '{}'", colour)));
+      panel.curves.push_back(curve_of(run, potential + ", membrane", fmt::format("lines lw 1.5 lc rgb '{}'", colour)));
     else if (run.model == Model::sheet)
       panel.curves.push_back(
           curve_of(run, potential + ", sheet of its own law", fmt::format("lines lw 1.2 dt '.' lc rgb '{}'", colour)));
     else if (first && run.constants == Constants::paper)
-      panel.curves.push_back(
-          curve_of(run, "membrane, the paper's constants", "lines lw 2 dt '-' lc rgb 'black'"));
+      panel.curves.push_back(curve_of(run, "membrane, the paper's constants", "lines lw 2 dt '-' lc rgb 'black'"));
   }
 }
 
@@ -116,8 +112,7 @@ void add_plates(FigurePanel& panel, const Result& result, double tip) {
   const double thin = card.Eh_eV_per_A2 * std::pow(duan_wang_thickness_A, 2) / (12 * (1 - card.nu * card.nu));
   add("plate, card's κ", plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip),
       "lines lw 1.2 dt '.' lc rgb '#555555'");
-  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip),
-      "lines lw 1.2 dt '_' lc rgb '#555555'");
+  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), "lines lw 1.2 dt '_' lc rgb '#555555'");
   add("shell of [30], κ = 1.30 eV", plate(radius_A, paper_Eh, paper_nu, paper_bending_eV, tip),
       "lines lw 1.2 dt '-.' lc rgb '#999999'");
   std::vector<double> eq16;
@@ -135,8 +130,8 @@ void add_numbers(PaperFigure& figure) {
   };
   figure.numbers.push_back(
       {"membrane, paper's constants, point: depth at 20 eV/Å", "Å", separate, 31.62, depth(0), 1e-3, ""});
-  figure.numbers.push_back({"membrane, paper's constants, disc of 10 Å: depth at 20 eV/Å", "Å", separate,
-                            28.113, depth(tip_A), 1e-3, ""});
+  figure.numbers.push_back(
+      {"membrane, paper's constants, disc of 10 Å: depth at 20 eV/Å", "Å", separate, 28.113, depth(tip_A), 1e-3, ""});
   std::vector<double> d, eq16;
   for (int i = 1; i <= 400; ++i) {
     d.push_back(0.1 * i);
@@ -148,8 +143,7 @@ void add_numbers(PaperFigure& figure) {
 
 void add_moduli(PaperFigure& figure, const Result& result, const std::string& potential) {
   figure.numbers.push_back({potential + ": E·h", "N/m", "Gil et al. 2010 (from their reference [30])",
-                            paper_Eh * N_per_m_per_eV_per_A2,
-                            result.card->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+                            paper_Eh * N_per_m_per_eV_per_A2, result.card->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
                             "the paper's constants were fitted to an older molecular-mechanics curve"});
 }
 
@@ -164,24 +158,21 @@ FigurePanel force_panel(const char* title) {
 }
 
 FigurePanel ratio_panel(const std::string& load) {
-  return {
-      "atoms over membrane, " + load,
-      "depth / effective radius",
-      "force ratio",
-      "depth_relative",
-      "force_ratio",
-      "set xrange [0:0.25]\nset yrange [0.8:1.5]\nset key inside right top Left reverse samplen 2 font ',9'\n"
-      "set arrow from 0,1 to 0.25,1 nohead lc rgb 'black' lw 0.6\n",
-      {}};
+  return {"atoms over membrane, " + load,
+          "depth / effective radius",
+          "force ratio",
+          "depth_relative",
+          "force_ratio",
+          "set xrange [0:0.25]\nset yrange [0.8:1.5]\nset key inside right top Left reverse samplen 2 font ',9'\n"
+          "set arrow from 0,1 to 0.25,1 nohead lc rgb 'black' lw 0.6\n",
+          {}};
 }
 
 }  // namespace
 
 PaperFigure figure2(const FigureContext& context) {
-  PaperFigure figure{.number = 2,
-                     .title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16",
-                     .panels = {},
-                     .numbers = {}};
+  PaperFigure figure{
+      .number = 2, .title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16", .panels = {}, .numbers = {}};
   FigurePanel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
   FigurePanel point_ratio = ratio_panel("point"), disc_ratio = ratio_panel("disc");
   for (std::size_t i = 0; i < context.potentials.size(); ++i) {

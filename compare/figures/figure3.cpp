@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "compare/fitting/curve.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/figures/stress_field.hpp"
+#include "compare/fitting/curve.hpp"
 
 namespace validate {
 namespace {
@@ -93,10 +93,9 @@ void add(PaperFigure& figure, const char* name, const membrane::Load& load, cons
   const double tip = largest(field);
   const bool reproduces = std::abs(tip / tip_stress - 1) < 0.2;
   figure.numbers.push_back({fmt::format("{}: stress at the rim", name), "eV/Å³", "Gil et al. 2010, Figure 3",
-                            rim_stress, rim_mean(membrane::mesh_of(problem), field), 0.01,
-                            "the load is chosen so"});
-  figure.numbers.push_back({fmt::format("{}: largest stress", name), "eV/Å³", "Gil et al. 2010, Figure 3",
-                            tip_stress, tip, 0,
+                            rim_stress, rim_mean(membrane::mesh_of(problem), field), 0.01, "the load is chosen so"});
+  figure.numbers.push_back({fmt::format("{}: largest stress", name), "eV/Å³", "Gil et al. 2010, Figure 3", tip_stress,
+                            tip, 0,
                             fmt::format("the {} {} the published range 0.125 … 0.65 eV/Å³", name,
                                         reproduces ? "reproduces" : "does not reproduce")});
 }

@@ -28,18 +28,13 @@ membrane::Problem paper_problem() {
 /// field.
 FigureCurve rays(const Square& square) {
   constexpr double length_A = 5, spacing_A = 8;
-  FigureCurve curve{.name = "tension rays",
-                    .x = {},
-                    .y = {},
-                    .y_high = {},
-                    .style = "lines lc rgb 'black' lw 0.7",
-                    .broken = true};
+  FigureCurve curve{
+      .name = "tension rays", .x = {}, .y = {}, .y_high = {}, .style = "lines lc rgb 'black' lw 0.7", .broken = true};
   std::vector<Eigen::Vector2d> drawn;
   for (const TriangleStress& t : square.field) {
     if (t.state != membrane::SheetState::wrinkled) continue;
     const Eigen::Vector2d middle = (t.corners_A[0] + t.corners_A[1] + t.corners_A[2]) / 3;
-    if (std::ranges::any_of(drawn, [&](const Eigen::Vector2d& d) { return (d - middle).norm() < spacing_A; }))
-      continue;
+    if (std::ranges::any_of(drawn, [&](const Eigen::Vector2d& d) { return (d - middle).norm() < spacing_A; })) continue;
     drawn.push_back(middle);
     for (const double end : {-0.5, 0.5}) {
       curve.x.push_back(middle[0] + end * length_A * t.direction[0]);
@@ -52,17 +47,15 @@ FigureCurve rays(const Square& square) {
 void add_numbers(PaperFigure& figure, const Square& square) {
   double largest_of_smaller = 0;
   for (const TriangleStress& t : square.field) largest_of_smaller = std::max(largest_of_smaller, t.smaller_eV_per_A3);
-  figure.numbers.push_back({"smaller principal stress: upper end", "eV/Å³", "Gil et al. 2010, Figure 4",
-                            0.045, largest_of_smaller, 0.05, "the published colour bar ends at 0.045"});
-  figure.numbers.push_back({"centre depth", "Å",
-                            "finite elements written separately, 7200 triangles on the full plate", 56.34,
-                            square.centre_depth_A, 2e-3, "cells are cut along other diagonals there"});
+  figure.numbers.push_back({"smaller principal stress: upper end", "eV/Å³", "Gil et al. 2010, Figure 4", 0.045,
+                            largest_of_smaller, 0.05, "the published colour bar ends at 0.045"});
+  figure.numbers.push_back({"centre depth", "Å", "finite elements written separately, 7200 triangles on the full plate",
+                            56.34, square.centre_depth_A, 2e-3, "cells are cut along other diagonals there"});
   figure.numbers.push_back({"wrinkled share of the area", "1",
                             "finite elements written separately, 0.57 to 0.71 by mesh and path", 0.64,
                             square.wrinkled_share, 0.15, "depends on mesh and path"});
-  figure.numbers.push_back({"mid-side pull-in", "Å",
-                            "finite elements written separately, 32 to 36 by mesh and path", 34,
-                            square.pull_in_A, 0.1, "depends on mesh and path"});
+  figure.numbers.push_back({"mid-side pull-in", "Å", "finite elements written separately, 32 to 36 by mesh and path",
+                            34, square.pull_in_A, 0.1, "depends on mesh and path"});
 }
 
 }  // namespace
@@ -74,19 +67,14 @@ PaperFigure figure4(const FigureContext& context) {
                      .title = "square of 220 Å under 5.16529e-4 eV/Å³, edges in their plane, 7200 triangles",
                      .panels = {},
                      .numbers = {}};
-  figure.panels.push_back(square_panel("smaller principal Cauchy stress", "eV/Å³",
-                                "smaller_principal_stress_eV_per_A3", square,
-                                [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
+  figure.panels.push_back(square_panel("smaller principal Cauchy stress", "eV/Å³", "smaller_principal_stress_eV_per_A3",
+                                       square, [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
   figure.panels.back().settings += "set cbrange [0:0.045]\n";  // the paper's
-  figure.panels.push_back(square_panel("larger principal Cauchy stress", "eV/Å³",
-                                "larger_principal_stress_eV_per_A3", square,
-                                [](const TriangleStress& t) { return t.larger_eV_per_A3; }));
-  figure.panels.push_back(
-      square_panel("states and tension rays", "", "state", square, [](const TriangleStress& t) {
-        return t.state == membrane::SheetState::slack      ? 0.0
-               : t.state == membrane::SheetState::wrinkled ? 1.0
-                                                           : 2.0;
-      }));
+  figure.panels.push_back(square_panel("larger principal Cauchy stress", "eV/Å³", "larger_principal_stress_eV_per_A3",
+                                       square, [](const TriangleStress& t) { return t.larger_eV_per_A3; }));
+  figure.panels.push_back(square_panel("states and tension rays", "", "state", square, [](const TriangleStress& t) {
+    return t.state == membrane::SheetState::slack ? 0.0 : t.state == membrane::SheetState::wrinkled ? 1.0 : 2.0;
+  }));
   figure.panels.back().settings +=
       "set cbrange [-0.5:2.5]\nset cbtics ('slack' 0, 'wrinkled' 1, 'taut' 2)\nset palette defined (0 "
       "'#dddddd', 1 '#E69F00', 2 '#56B4E9') maxcolors 3\n";

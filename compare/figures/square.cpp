@@ -52,12 +52,8 @@ Square solve_square(const membrane::Problem& problem, double thickness_A) {
 }
 
 FigureCurve wrinkled_outline(const Square& square) {
-  FigureCurve curve{.name = "wrinkled zone",
-                    .x = {},
-                    .y = {},
-                    .y_high = {},
-                    .style = "lines lc rgb 'white' lw 1",
-                    .broken = true};
+  FigureCurve curve{
+      .name = "wrinkled zone", .x = {}, .y = {}, .y_high = {}, .style = "lines lc rgb 'white' lw 1", .broken = true};
   std::map<std::pair<int, int>, int> wrinkled_sides;  // how many wrinkled triangles a side has
   for (std::size_t i = 0; i < square.field.size(); ++i) {
     if (square.field[i].state != membrane::SheetState::wrinkled) continue;

@@ -3,26 +3,25 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
 
-#include "compare/study/bulge_atoms.hpp"
+#include "compare/base/paths.hpp"
 #include "compare/figures/square.hpp"
 #include "compare/figures/square_search.hpp"
 #include "compare/figures/undulation.hpp"
 #include "compare/figures/virial_field.hpp"
-#include "compare/base/paths.hpp"
 #include "compare/potential/potential_card.hpp"
+#include "compare/study/bulge_atoms.hpp"
 
 namespace validate {
 namespace {
 
 constexpr double side_A = 220, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
-constexpr int cells = 20;                  // of the virials' field: 11 Å, some 45 atoms
-constexpr double line_A = 11;              // from a side to the line on which waves are looked for
+constexpr int cells = 20;                                        // of the virials' field: 11 Å, some 45 atoms
+constexpr double line_A = 11;  // from a side to the line on which waves are looked for
 
 BulgeCase square_case(const std::string& potential) {
   BulgeCase c;  // the paper's square
@@ -55,20 +54,23 @@ FigurePanel virial_panel(const std::string& title, const std::vector<VirialCell>
 
 /// Where the four sides are in their plane: folds show as notches.
 FigurePanel edges_panel(const std::string& name, const BulgePair& pair, const Found& found, const Square& membrane) {
-  FigurePanel panel{.title = "sides, seen from above",
-                    .x_label = "x (Å)",
-                    .y_label = "y (Å)",
-                    .x_key = "x_A",
-                    .y_key = "y_A",
-                    .settings = "set size ratio -1\nset xrange [-122:122]\nset yrange [-122:122]\nset key at 0,0 center\n",
-                    .curves = {}};
-  FigureCurve atoms{.name = name + ", atoms", .x = {}, .y = {}, .y_high = {}, .style = "points pt 7 ps 0.25 lc rgb '#D55E00'"};
+  FigurePanel panel{
+      .title = "sides, seen from above",
+      .x_label = "x (Å)",
+      .y_label = "y (Å)",
+      .x_key = "x_A",
+      .y_key = "y_A",
+      .settings = "set size ratio -1\nset xrange [-122:122]\nset yrange [-122:122]\nset key at 0,0 center\n",
+      .curves = {}};
+  FigureCurve atoms{
+      .name = name + ", atoms", .x = {}, .y = {}, .y_high = {}, .style = "points pt 7 ps 0.25 lc rgb '#D55E00'"};
   for (int i = 0; i < pair.sheet.free_atoms; ++i) {
     if (!pair.sheet.slides[static_cast<std::size_t>(i)]) continue;
     atoms.x.push_back(found.step.positions[3 * i]);
     atoms.y.push_back(found.step.positions[3 * i + 1]);
   }
-  FigureCurve continuum{.name = "membrane", .x = {}, .y = {}, .y_high = {}, .style = "points pt 6 ps 0.35 lc rgb '#0072B2'"};
+  FigureCurve continuum{
+      .name = "membrane", .x = {}, .y = {}, .y_high = {}, .style = "points pt 6 ps 0.35 lc rgb '#0072B2'"};
   for (const auto& [edge, nodes] : membrane.mesh.edges)
     for (const int n : nodes) {
       continuum.x.push_back(membrane.mesh.nodes[static_cast<std::size_t>(n)].x() + membrane.displacements_A[3 * n]);
@@ -78,9 +80,9 @@ FigurePanel edges_panel(const std::string& name, const BulgePair& pair, const Fo
   return panel;
 }
 
-/// A line along one of the four sides, line_A inside it in the flat sheet: place along it, and where the sheet is in the
-/// direction of the line's mean normal. In each stretch of 5 Å a straight line through the rows of atoms nearby is read at
-/// line_A, so that the slope of the wall does not show as waves.
+/// A line along one of the four sides, line_A inside it in the flat sheet: place along it, and where the sheet is in
+/// the direction of the line's mean normal. In each stretch of 5 Å a straight line through the rows of atoms nearby is
+/// read at line_A, so that the slope of the wall does not show as waves.
 Profile along_side(const BulgePair& pair, const Eigen::VectorXd& positions, int side) {
   constexpr double stretch_A = 5, reach_A = 4;
   const int across = side % 2, along = 1 - across;
@@ -128,16 +130,18 @@ FigurePanel sides_panel(const BulgePair& pair, const Found& found) {
                     .curves = {}};
   for (int side = 0; side < 4; ++side) {
     const Profile line = along_side(pair, found.step.positions, side);
-    panel.curves.push_back({.name = side_names[static_cast<std::size_t>(side)],
-                            .x = line.x_A,
-                            .y = line.z_A,
-                            .y_high = {},
-                            .style = fmt::format("lines lw 1.2 lc rgb '{}'", side_colours[static_cast<std::size_t>(side)])});
+    panel.curves.push_back(
+        {.name = side_names[static_cast<std::size_t>(side)],
+         .x = line.x_A,
+         .y = line.z_A,
+         .y_high = {},
+         .style = fmt::format("lines lw 1.2 lc rgb '{}'", side_colours[static_cast<std::size_t>(side)])});
   }
   return panel;
 }
 
-/// How far the atoms of an edge have come in at most, along its normal; a rotation of the whole sheet is taken out first.
+/// How far the atoms of an edge have come in at most, along its normal; a rotation of the whole sheet is taken out
+/// first.
 double pull_in(const BulgePair& pair, const Eigen::VectorXd& positions) {
   double sine = 0, cosine = 0;
   const auto flat = [&](int i) -> Eigen::Vector2d { return pair.sheet.position(i).head<2>(); };
@@ -180,7 +184,7 @@ Undulation mean_undulation(const BulgePair& pair, const Eigen::VectorXd& positio
 
 /// Atoms wrinkle in a cell where they carry no tension across: less than a hundredth of the largest smaller force.
 struct Zones {
-  double wrinkled_share = 0, same_share = 0;                    ///< of the cells
+  double wrinkled_share = 0, same_share = 0;           ///< of the cells
   double inside_eV_per_A2 = 0, outside_eV_per_A2 = 0;  ///< mean smaller force in the membrane's wrinkled and taut zones
   double least_eV_per_A2 = 0;
 };
@@ -214,7 +218,8 @@ void add_numbers(PaperFigure& figure, const std::string& name, const BulgePair& 
     figure.numbers.push_back({name + " atoms: " + what, unit, source, reference, ours, 0, ""});
   };
   add("centre depth", "Å", membrane.centre_depth_A, found.step.depth_A);
-  add("volume", "Å³", membrane.volume_A3, found.step.force_eV_per_A / pressure_eV_per_A3 * found.step.conjugate_depth_A);
+  add("volume", "Å³", membrane.volume_A3,
+      found.step.force_eV_per_A / pressure_eV_per_A3 * found.step.conjugate_depth_A);
   add("energy minus pressure times volume", "eV", membrane.energy_eV - pressure_eV_per_A3 * membrane.volume_A3,
       found.potential_eV);
   add("mid-side pull-in", "Å", membrane.pull_in_A, pull_in(pair, found.step.positions));
@@ -226,8 +231,8 @@ void add_remarks(PaperFigure& figure, const std::string& name, const BulgePair& 
   const Zones zones = zones_of(field, membrane);
   const Undulation waves = mean_undulation(pair, all.front().step.positions);
   auto& remarks = figure.remarks;
-  remarks.push_back(fmt::format("{}: {} atoms; the lowest of {} states is shown ({})", name, pair.sheet.atoms(), all.size(),
-                                all.front().start));
+  remarks.push_back(fmt::format("{}: {} atoms; the lowest of {} states is shown ({})", name, pair.sheet.atoms(),
+                                all.size(), all.front().start));
   for (const Found& f : all)
     remarks.push_back(fmt::format(
         "start '{}': energy − pV = {:.3f} eV (+{:.3f} above the lowest), depth {:.3f} Å, {} evaluations, max|f| {:.1e} "
@@ -235,13 +240,15 @@ void add_remarks(PaperFigure& figure, const std::string& name, const BulgePair& 
         f.start, f.potential_eV, f.potential_eV - all.front().potential_eV, f.step.depth_A, f.evaluations,
         f.step.max_force_eV_per_A, f.left_eV, f.path));
   remarks.push_back(fmt::format(
-      "smaller principal force of the atoms (cells of {:g} Å): mean {:.4f} eV/Å² where the membrane is wrinkled, {:.4f} where "
+      "smaller principal force of the atoms (cells of {:g} Å): mean {:.4f} eV/Å² where the membrane is wrinkled, "
+      "{:.4f} where "
       "it is taut, least {:.4f}; {:.0f} % of the cells are wrinkled or taut in both",
       side_A / cells, zones.inside_eV_per_A2, zones.outside_eV_per_A2, zones.least_eV_per_A2, 100 * zones.same_share));
-  remarks.push_back(fmt::format("waves along the sides, {:g} Å inside, out of the mean plane there: amplitude {:.2f} Å, wavelength {:.1f} Å (means over four); "
-                                "deepest fold {:.1f} Å",
-                                line_A, waves.amplitude_A, waves.wavelength_A,
-                                deepest_fold(pair, all.front().step.positions)));
+  remarks.push_back(
+      fmt::format("waves along the sides, {:g} Å inside, out of the mean plane there: amplitude {:.2f} Å, wavelength "
+                  "{:.1f} Å (means over four); "
+                  "deepest fold {:.1f} Å",
+                  line_A, waves.amplitude_A, waves.wavelength_A, deepest_fold(pair, all.front().step.positions)));
 }
 
 }  // namespace
@@ -262,7 +269,8 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   figure.panels.push_back(square_panel(fmt::format("membrane, {}'s E·h and ν: smaller principal force", name), "eV/Å²",
                                        "smaller_principal_force_eV_per_A2", membrane,
                                        [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
-  figure.panels.push_back(virial_panel(fmt::format("{}'s atoms: smaller principal force, by virials", name), field, membrane));
+  figure.panels.push_back(
+      virial_panel(fmt::format("{}'s atoms: smaller principal force, by virials", name), field, membrane));
   for (std::size_t p = figure.panels.size() - 2; p < figure.panels.size(); ++p) figure.panels[p].settings += range;
   figure.panels.push_back(edges_panel(name, pair, all.front(), membrane));
   figure.panels.push_back(sides_panel(pair, all.front()));

@@ -10,7 +10,8 @@ namespace validate {
 namespace {
 
 constexpr double ripple_A = 0.5;
-// A folded sheet has directions in which it costs next to nothing to move, and they take most of the evaluations, 4000 to 7000.
+// A folded sheet has directions in which it costs next to nothing to move, and they take most of the evaluations, 4000
+// to 7000.
 constexpr double force_tolerance_eV_per_A = 1e-4;
 constexpr int most_evaluations = 20000;
 constexpr double shares_of_pressure[] = {0.02, 0.15, 0.4, 0.7, 1};
@@ -56,7 +57,8 @@ std::vector<Found> search_states(const BulgePair& pair, double pressure_eV_per_A
   const auto curves = compute_curves(launch, paths, 1, context.work, context.progress);
   std::vector<Found> all;
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    if (curves[k].failure.empty() && (curves[k].steps.empty() || curves[k].steps.back().target < 0.999 * pressure_eV_per_A3))
+    if (curves[k].failure.empty() &&
+        (curves[k].steps.empty() || curves[k].steps.back().target < 0.999 * pressure_eV_per_A3))
       continue;
     all.push_back(found_of(curves[k], pressure_eV_per_A3, static_cast<int>(k)));
   }

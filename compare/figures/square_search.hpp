@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/process/atoms.hpp"
-#include "compare/pairing/bulge_pairing.hpp"
 #include "compare/figures/paper_figure.hpp"
+#include "compare/pairing/bulge_pairing.hpp"
+#include "compare/process/atoms.hpp"
 
 namespace validate {
 

@@ -13,8 +13,7 @@ struct TriangleStress {
   std::array<Eigen::Vector2d, 3> corners_A;            ///< in the reference
   double larger_eV_per_A3 = 0, smaller_eV_per_A3 = 0;  ///< principal Cauchy stresses for the thickness given
   membrane::SheetState state = membrane::SheetState::taut;
-  Eigen::Vector2d direction =
-      Eigen::Vector2d::Zero();  ///< of the larger one, in the reference: the rays of wrinkles
+  Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< of the larger one, in the reference: the rays of wrinkles
 };
 
 /// Of each triangle of the problem's mesh, in its order: membrane::fields_of as stresses over the thickness.

@@ -45,8 +45,10 @@ Eigen::Vector3d area_of_atom(const atomistic::Sheet& sheet, const Eigen::VectorX
   return half_normal(positions) * (half_normal(sheet.positions).z() > 0 ? 1 : -1);
 }
 
-std::vector<VirialCell> virial_field(const atomistic::Sheet& sheet, const atomistic::Step& step, int cells, int fewest) {
-  if (step.virials.size() != 2 * step.positions.size()) throw std::invalid_argument("virial field: the step has no virials");
+std::vector<VirialCell> virial_field(const atomistic::Sheet& sheet, const atomistic::Step& step, int cells,
+                                     int fewest) {
+  if (step.virials.size() != 2 * step.positions.size())
+    throw std::invalid_argument("virial field: the step has no virials");
   const double size = 2 * sheet.radius_A / cells;
   std::vector<Sum> sums(static_cast<std::size_t>(cells * cells));
   const auto index = [&](double x) { return std::clamp(static_cast<int>((x + sheet.radius_A) / size), 0, cells - 1); };

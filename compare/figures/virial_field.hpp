@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "atomistic/problem.hpp"
 #include "atomistic/lattice/sheet.hpp"
+#include "atomistic/problem.hpp"
 
 namespace validate {
 
@@ -18,12 +18,12 @@ struct VirialCell {
   int atoms = 0;
 };
 
-/// Half the normal vector of the triangle of an atom's three neighbours, upwards: in the flat sheet its length is the area
-/// per atom, in a deformed one the area that the atom stands for. Zero where the atom lacks a neighbour.
+/// Half the normal vector of the triangle of an atom's three neighbours, upwards: in the flat sheet its length is the
+/// area per atom, in a deformed one the area that the atom stands for. Zero where the atom lacks a neighbour.
 Eigen::Vector3d area_of_atom(const atomistic::Sheet& sheet, const Eigen::VectorXd& positions, int atom);
 
-/// The free sheet (a square) cut into cells × cells. In each: the sum of the virials over the area of the atoms' mean plane,
-/// projected into that plane. Cells with fewer than `fewest` atoms are left out.
+/// The free sheet (a square) cut into cells × cells. In each: the sum of the virials over the area of the atoms' mean
+/// plane, projected into that plane. Cells with fewer than `fewest` atoms are left out.
 std::vector<VirialCell> virial_field(const atomistic::Sheet& sheet, const atomistic::Step& step, int cells,
                                      int fewest = 10);
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/figures/paper_figure.hpp"
-#include "compare/documents/plots/figure.hpp"
 #include "compare/base/file.hpp"
-#include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/bytes/h5.hpp"
+#include "compare/documents/plots/figure.hpp"
+#include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/texts/summary_json.hpp"
+#include "compare/figures/paper_figure.hpp"
 
 namespace validate {
 namespace {
@@ -51,8 +51,8 @@ std::string map_commands(const FigurePanel& panel, std::size_t index) {
       "splot {} using 1:2:3 with pm3d notitle",
       field_name(index));
   for (std::size_t c = 0; c < panel.curves.size(); ++c)
-    fmt::format_to(std::back_inserter(text), ", \\\n     {} using 1:2:(0) with {} notitle",
-                   block_name(index, c), panel.curves[c].style);
+    fmt::format_to(std::back_inserter(text), ", \\\n     {} using 1:2:(0) with {} notitle", block_name(index, c),
+                   panel.curves[c].style);
   return text + "\n";
 }
 
@@ -64,15 +64,13 @@ std::string panel_commands(const FigurePanel& panel, std::size_t index) {
       "'#fde725') maxcolors 0\nset title {}\nset xlabel {}\nset ylabel {}\nset border 3 lw "
       "1\n"
       "set tics nomirror out\nset grid lc rgb '#e4e4e4' lw 1 lt 1\n{}",
-      gnuplot_quoted(panel.title), gnuplot_quoted(panel.x_label), gnuplot_quoted(panel.y_label),
-      panel.settings);
+      gnuplot_quoted(panel.title), gnuplot_quoted(panel.x_label), gnuplot_quoted(panel.y_label), panel.settings);
   if (!panel.fields.empty()) return text + map_commands(panel, index);
   bool first = true;
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     if (panel.curves[c].x.empty()) continue;
-    fmt::format_to(std::back_inserter(text), "{}{} using {} with {} title {}",
-                   first ? "plot " : ", \\\n     ", block_name(index, c),
-                   panel.curves[c].y_high.empty() ? "1:2" : "1:2:3", panel.curves[c].style,
+    fmt::format_to(std::back_inserter(text), "{}{} using {} with {} title {}", first ? "plot " : ", \\\n     ",
+                   block_name(index, c), panel.curves[c].y_high.empty() ? "1:2" : "1:2:3", panel.curves[c].style,
                    gnuplot_quoted(panel.curves[c].name));
     first = false;
   }
@@ -96,26 +94,22 @@ std::string commands(const PaperFigure& figure) {
 std::string csv(const PaperFigure& figure) {
   std::string text = fmt::format("# title: figure {}: {}\n", figure.number, figure.title);
   for (const FigureNumber& n : figure.numbers)
-    fmt::format_to(std::back_inserter(text), "# number: {}: ours {:.6g} {}, reference {:.6g} {} ({}){}\n",
-                   n.what, n.ours, n.unit, n.reference, n.unit, n.source,
-                   n.comment.empty() ? "" : "; " + n.comment);
+    fmt::format_to(std::back_inserter(text), "# number: {}: ours {:.6g} {}, reference {:.6g} {} ({}){}\n", n.what,
+                   n.ours, n.unit, n.reference, n.unit, n.source, n.comment.empty() ? "" : "; " + n.comment);
   for (const std::string& remark : figure.remarks) text += "# remark: " + remark + "\n";
   text += "# last column: upper edge of a band, or the value of a map's triangle whose centroid is x, y\n";
   text += "panel,curve,x_key,y_key,x,y,upper_or_value\n";
-  const auto row = [&](const FigurePanel& panel, const std::string& name, double x, double y,
-                       const std::string& last) {
+  const auto row = [&](const FigurePanel& panel, const std::string& name, double x, double y, const std::string& last) {
     fmt::format_to(std::back_inserter(text), "\"{}\",\"{}\",{},{},{},{},{}\n", panel.title, name, panel.x_key,
                    panel.y_key, x, y, last);
   };
   for (const FigurePanel& panel : figure.panels) {
     for (const FigureCurve& curve : panel.curves)
       for (std::size_t i = 0; i < curve.x.size(); ++i)
-        row(panel, curve.name, curve.x[i], curve.y[i],
-            curve.y_high.empty() ? "" : fmt::format("{}", curve.y_high[i]));
+        row(panel, curve.name, curve.x[i], curve.y[i], curve.y_high.empty() ? "" : fmt::format("{}", curve.y_high[i]));
     for (const FigureField& field : panel.fields)
       for (std::size_t i = 0; i < field.value.size(); ++i) {
-        const Eigen::Vector2d middle =
-            (field.corners_A[i][0] + field.corners_A[i][1] + field.corners_A[i][2]) / 3;
+        const Eigen::Vector2d middle = (field.corners_A[i][0] + field.corners_A[i][1] + field.corners_A[i][2]) / 3;
         row(panel, field.key, middle[0], middle[1], fmt::format("{}", field.value[i]));
       }
   }
@@ -129,8 +123,7 @@ void write_field(h5::Group& panel, const FigureField& field) {
   for (int corner = 0; corner < 3; ++corner)
     for (int axis = 0; axis < 2; ++axis) {
       std::vector<double> values;
-      for (const auto& corners : field.corners_A)
-        values.push_back(corners[static_cast<std::size_t>(corner)][axis]);
+      for (const auto& corners : field.corners_A) values.push_back(corners[static_cast<std::size_t>(corner)][axis]);
       group.data_set(fmt::format("corner{}_{}_A", corner, axis == 0 ? "x" : "y"), values)
           .attribute("meaning", "in the reference");
     }
@@ -185,8 +178,8 @@ bool passes(const FigureNumber& n) {
 }
 
 std::string numbers_text(const PaperFigure& figure) {
-  std::string text = fmt::format("Figure {}: {}\n{:<66}{:>10}{:>11}  {:<6}{:>8}\n", figure.number,
-                                 figure.title, "", "ours", "reference", "", "");
+  std::string text = fmt::format("Figure {}: {}\n{:<66}{:>10}{:>11}  {:<6}{:>8}\n", figure.number, figure.title, "",
+                                 "ours", "reference", "", "");
   std::vector<std::string> remarks;  // each once, as it belongs to several lines
   for (const FigureNumber& n : figure.numbers) {
     fmt::format_to(std::back_inserter(text), "{:<66}{:>10.5g}{:>11.5g}  {:<6}{:>+8.2f} %{}\n", n.what, n.ours,
@@ -204,8 +197,7 @@ void write_paper_figure(const PaperFigure& figure, const std::filesystem::path& 
   write_file(folder / (name + ".csv"), csv(figure));
   write_h5(figure, folder / (name + ".h5"));
   const int rows = static_cast<int>(figure.panels.size() + 1) / 2;
-  if (const auto warning = draw(commands(figure), folder, name, {1200, 560 * rows}))
-    spdlog::warn("{}", *warning);
+  if (const auto warning = draw(commands(figure), folder, name, {1200, 560 * rows})) spdlog::warn("{}", *warning);
 }
 
 }  // namespace validate

@@ -53,8 +53,7 @@ std::optional<double> Curve::at(double depth_A) const {
   const double x = std::log(depth_A);
   if (!(x >= log_depth_.front() - rounding && x <= log_depth_.back() + rounding)) return std::nullopt;
   const double inside = std::clamp(x, log_depth_.front(), log_depth_.back());
-  return std::exp(
-      gsl_interp_eval(interpolation_.get(), log_depth_.data(), log_force_.data(), inside, nullptr));
+  return std::exp(gsl_interp_eval(interpolation_.get(), log_depth_.data(), log_force_.data(), inside, nullptr));
 }
 
 }  // namespace validate

@@ -18,9 +18,7 @@ struct Data {
   std::span<const double> x, y;
 };
 
-std::span<const double> view(const gsl_vector* v) {
-  return {v->data, v->size};
-}  // stride 1: GSL allocated it
+std::span<const double> view(const gsl_vector* v) { return {v->data, v->size}; }  // stride 1: GSL allocated it
 
 int residuals_callback(const gsl_vector* parameters, void* raw, gsl_vector* residuals) {
   const auto& data = *static_cast<const Data*>(raw);
@@ -49,8 +47,7 @@ using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, FreeWorkspace>
 
 Workspace make_workspace(const LeastSquaresOptions& options, std::size_t points, std::size_t parameters) {
   gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
-  settings.trs =
-      options.geodesic_acceleration ? gsl_multifit_nlinear_trs_lmaccel : gsl_multifit_nlinear_trs_lm;
+  settings.trs = options.geodesic_acceleration ? gsl_multifit_nlinear_trs_lmaccel : gsl_multifit_nlinear_trs_lm;
   settings.scale = gsl_multifit_nlinear_scale_more;  // parameters may differ by many orders of magnitude
   settings.solver = gsl_multifit_nlinear_solver_qr;
   return Workspace(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, points, parameters));
@@ -60,9 +57,9 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 Eigen::MatrixXd jacobian_of(const gsl_multifit_nlinear_workspace& solver) {
   const gsl_matrix& J = *gsl_multifit_nlinear_jac(&solver);
-  return Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(
-      J.data, static_cast<Eigen::Index>(J.size1), static_cast<Eigen::Index>(J.size2),
-      Eigen::OuterStride<>(static_cast<Eigen::Index>(J.tda)));
+  return Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(J.data, static_cast<Eigen::Index>(J.size1),
+                                                             static_cast<Eigen::Index>(J.size2),
+                                                             Eigen::OuterStride<>(static_cast<Eigen::Index>(J.tda)));
 }
 
 Eigen::Map<const Eigen::VectorXd> as_eigen(const gsl_vector* v) {
@@ -117,8 +114,7 @@ double reciprocal_condition(Eigen::MatrixXd jacobian) {
 
 // Fills the report from GSL's final state (whose residuals and Jacobian carry √weight). Returns why there is
 // no solution to report, or nothing.
-std::string read_solution(const gsl_multifit_nlinear_workspace& solver, const Data& data,
-                          LeastSquaresReport& report) {
+std::string read_solution(const gsl_multifit_nlinear_workspace& solver, const Data& data, LeastSquaresReport& report) {
   report.condition_number = 1 / reciprocal_condition(jacobian_of(solver));
   if (!(report.condition_number < most_condition)) return "the points do not determine the parameters";
   const std::size_t points = data.x.size(), p = solver.x->size;
@@ -153,9 +149,7 @@ gsl_multifit_nlinear_fdf system_of(Data& data) {
   return system;
 }
 
-double weight_of(const std::vector<double>& weights, std::size_t i) {
-  return weights.empty() ? 1 : weights[i];
-}
+double weight_of(const std::vector<double>& weights, std::size_t i) { return weights.empty() ? 1 : weights[i]; }
 
 double norm_of(std::span<const double> y, const std::vector<double>& weights) {
   double squares = 0;
@@ -169,16 +163,14 @@ double r_squared(std::span<const double> y, const std::vector<double>& weights, 
     sum += weight_of(weights, i) * y[i];
     total += weight_of(weights, i);
   }
-  for (std::size_t i = 0; i < y.size(); ++i)
-    scatter += weight_of(weights, i) * std::pow(y[i] - sum / total, 2);
+  for (std::size_t i = 0; i < y.size(); ++i) scatter += weight_of(weights, i) * std::pow(y[i] - sum / total, 2);
   return 1 - sum_of_squares / scatter;
 }
 
 }  // namespace
 
-LeastSquaresReport least_squares(const AnyCurveModel& model, std::span<const double> x,
-                                 std::span<const double> y, std::span<const double> start,
-                                 const LeastSquaresOptions& options) {
+LeastSquaresReport least_squares(const AnyCurveModel& model, std::span<const double> x, std::span<const double> y,
+                                 std::span<const double> start, const LeastSquaresOptions& options) {
   gsl_set_error_handler_off();  // GSL's own handler aborts the program; every status is looked at here
   LeastSquaresReport report;
   const auto parameters = static_cast<std::size_t>(model.parameter_count);
@@ -198,9 +190,8 @@ LeastSquaresReport least_squares(const AnyCurveModel& model, std::span<const dou
     const auto weights = gsl_vector_const_view_array(options.weights.data(), options.weights.size());
     status = gsl_multifit_nlinear_winit(&first.vector, &weights.vector, &system, solver.get());
   }
-  report.reason = status == GSL_SUCCESS
-                      ? run_to_minimum(*solver, options.max_iterations, norm_of(y, options.weights))
-                      : gsl_strerror(status);
+  report.reason = status == GSL_SUCCESS ? run_to_minimum(*solver, options.max_iterations, norm_of(y, options.weights))
+                                        : gsl_strerror(status);
   report.iterations = static_cast<int>(gsl_multifit_nlinear_niter(solver.get()));
   if (report.reason.empty()) report.reason = read_solution(*solver, data, report);
   report.converged = report.reason.empty();

@@ -33,9 +33,8 @@ struct LeastSquaresReport {
 /// Minimises Σ w (y − f(x; p))² from `start` (trust region, analytic Jacobian, scaled parameters). Standard
 /// errors are those of the covariance (JᵀWJ)⁻¹ times the residual variance. Not converging, too few points,
 /// parameters that the points do not determine and non-finite results are reported with a reason, not thrown.
-LeastSquaresReport least_squares(const AnyCurveModel& model, std::span<const double> x,
-                                 std::span<const double> y, std::span<const double> start,
-                                 const LeastSquaresOptions& options = {});
+LeastSquaresReport least_squares(const AnyCurveModel& model, std::span<const double> x, std::span<const double> y,
+                                 std::span<const double> start, const LeastSquaresOptions& options = {});
 
 template <CurveModel M>
 LeastSquaresReport least_squares(const M& model, std::span<const double> x, std::span<const double> y,

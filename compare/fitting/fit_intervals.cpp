@@ -144,8 +144,7 @@ Bootstrap bootstrap(const AnyCurveModel& model, std::span<const double> x, const
     for (const double v : values) variance += (v - mean) * (v - mean) / (result.samples - 1);
     std::ranges::sort(values);
     result.standard_errors.push_back(std::sqrt(variance));
-    result.intervals.push_back(
-        {percentile(values, (1 - confidence) / 2), percentile(values, (1 + confidence) / 2)});
+    result.intervals.push_back({percentile(values, (1 - confidence) / 2), percentile(values, (1 + confidence) / 2)});
   }
   return result;
 }
@@ -156,16 +155,13 @@ AnyCurveModel with_offsets(AnyCurveModel model, bool depth_offset, bool force_of
   const auto shift = [=](std::span<const double> p) { return depth_offset ? p[inner] : 0.0; };
   const auto lift = [=](std::span<const double> p) { return force_offset ? p.back() : 0.0; };
   return {model.parameter_count + depth_offset + force_offset,
-          [=](double x, std::span<const double> p) {
-            return model.value(x - shift(p), p.first(inner)) + lift(p);
-          },
+          [=](double x, std::span<const double> p) { return model.value(x - shift(p), p.first(inner)) + lift(p); },
           [=](double x, std::span<const double> p, std::span<double> g) {
             const double at = x - shift(p);
             model.gradient(at, p.first(inner), g.first(inner));
             if (depth_offset) {  // −df/dx by a central difference
               const double h = 6e-6 * std::max(std::abs(at), std::abs(x) * 1e-2 + 1e-12);
-              g[inner] =
-                  -(model.value(at + h, p.first(inner)) - model.value(at - h, p.first(inner))) / (2 * h);
+              g[inner] = -(model.value(at + h, p.first(inner)) - model.value(at - h, p.first(inner))) / (2 * h);
             }
             if (force_offset) g.back() = 1;
           }};

@@ -29,8 +29,7 @@ struct Bootstrap {
 /// Residual bootstrap (Efron 1979): refits the fitted curve plus residuals drawn with replacement, centred
 /// and enlarged by √(n/(n − p)), with a seeded generator that gives the same draws on every machine.
 Bootstrap bootstrap(const AnyCurveModel& model, std::span<const double> x, const LeastSquaresReport& report,
-                    const LeastSquaresOptions& options, int samples, std::uint32_t seed,
-                    double confidence = 0.95);
+                    const LeastSquaresOptions& options, int samples, std::uint32_t seed, double confidence = 0.95);
 
 /// The model behind a zero that is not the data's: y = f(x − δ0) + F0, each offset one more parameter at the
 /// end where it is asked for.

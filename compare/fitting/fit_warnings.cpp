@@ -14,9 +14,9 @@ namespace {
 double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
 
 constexpr int few_points = 8;
-constexpr double shallow = 0.05;     // depth / a below which the cubic hardly shows
-constexpr double good_fit = 0.01;    // rms / largest force
-constexpr double large_bias = 0.03;  // of E·h
+constexpr double shallow = 0.05;          // depth / a below which the cubic hardly shows
+constexpr double good_fit = 0.01;         // rms / largest force
+constexpr double large_bias = 0.03;       // of E·h
 constexpr double near_artefact_A = 0.02;  // of bond length
 
 using Warnings = std::vector<std::string>;
@@ -35,19 +35,17 @@ void biased(const Fit& fit, Warnings& found) {
   const double bias = fit.bias->Eh_read_eV_per_A2 / fit.bias->Eh_true_eV_per_A2 - 1;
   const bool looks_good = fit.rms_relative < good_fit;
   if (std::abs(bias) > large_bias)
-    found.push_back(
-        fmt::format("{}E·h is read {:.1f} % too {} (known from the membrane's own curve)",
-                    looks_good ? fmt::format("the fit looks good (rms {:.2f} % of the largest force), yet ",
-                                             100 * fit.rms_relative)
-                               : "",
-                    100 * std::abs(bias), bias > 0 ? "high" : "low"));
+    found.push_back(fmt::format(
+        "{}E·h is read {:.1f} % too {} (known from the membrane's own curve)",
+        looks_good ? fmt::format("the fit looks good (rms {:.2f} % of the largest force), yet ", 100 * fit.rms_relative)
+                   : "",
+        100 * std::abs(bias), bias > 0 ? "high" : "low"));
   const double truth = fit.bias->pretension_true_eV_per_A2;
   if (!(truth > 0)) return;
   const double missed = fit.bias->pretension_read_eV_per_A2 / truth - 1;
   if (std::abs(missed) > 0.1)
-    found.push_back(
-        fmt::format("the pretension is read {:.0f} % too {} (known from the membrane's own curve)",
-                    100 * std::abs(missed), missed > 0 ? "high" : "low"));
+    found.push_back(fmt::format("the pretension is read {:.0f} % too {} (known from the membrane's own curve)",
+                                100 * std::abs(missed), missed > 0 ? "high" : "low"));
 }
 
 void bending(const Fit& fit, const FitContext& context, Warnings& found) {
@@ -61,24 +59,21 @@ void bending(const Fit& fit, const FitContext& context, Warnings& found) {
 }
 
 void points(const Fit& fit, const FitContext& context, Warnings& found) {
-  if (fit.points < few_points)
-    found.push_back(fmt::format("{} points are few for two parameters", fit.points));
+  if (fit.points < few_points) found.push_back(fmt::format("{} points are few for two parameters", fit.points));
   const double deepest = fit.window_A[1];
   if (deepest < shallow * context.a_A)
-    found.push_back(fmt::format("the deepest point is at {:.3f} of the radius: too shallow for E·h",
-                                deepest / context.a_A));
+    found.push_back(
+        fmt::format("the deepest point is at {:.3f} of the radius: too shallow for E·h", deepest / context.a_A));
   if (fit.window_A[0] > 0.5 * deepest)
     found.push_back(fmt::format("no point below half of the largest depth: the pretension is extrapolated"));
 }
 
 void atoms(const FitContext& context, Warnings& found) {
   if (context.artefact_points > 0)
-    found.push_back(
-        fmt::format("{} point(s) in the potential's artefact zone left out", context.artefact_points));
+    found.push_back(fmt::format("{} point(s) in the potential's artefact zone left out", context.artefact_points));
   if (context.longest_bond_A >= context.artefact_bond_A - near_artefact_A)
-    found.push_back(
-        fmt::format("a bond of {:.3f} Å among the points fitted is near the artefact zone ({:.2f} Å)",
-                    context.longest_bond_A, context.artefact_bond_A));
+    found.push_back(fmt::format("a bond of {:.3f} Å among the points fitted is near the artefact zone ({:.2f} Å)",
+                                context.longest_bond_A, context.artefact_bond_A));
 }
 
 void radius(const FitContext& context, Warnings& found) {

@@ -31,15 +31,14 @@ void select_points(MeasuredResult& result, const MeasuredOptions& options, std::
   if (options.baseline_to_A) result.baseline_eV_per_A = baseline(curve, *options.baseline_to_A);
   for (std::size_t i = 0; i < curve.depth_A.size(); ++i) {
     const double depth = curve.depth_A[i] - options.contact_A;
-    if (!(depth > 0 && depth >= options.depth_min_A) || (options.depth_max_A && depth > *options.depth_max_A))
-      continue;
+    if (!(depth > 0 && depth >= options.depth_min_A) || (options.depth_max_A && depth > *options.depth_max_A)) continue;
     result.depth_A.push_back(depth);
     result.force_eV_per_A.push_back(curve.force_eV_per_A[i] - result.baseline_eV_per_A);
     if (!curve.sigma_eV_per_A.empty()) sigma.push_back(curve.sigma_eV_per_A[i]);
   }
   if (result.depth_A.size() < fewest_points_to_fit)
-    throw bad_input("{}: {} of {} points are beyond contact and inside the window; a fit needs {}",
-                    curve.file.string(), result.depth_A.size(), curve.depth_A.size(), fewest_points_to_fit);
+    throw bad_input("{}: {} of {} points are beyond contact and inside the window; a fit needs {}", curve.file.string(),
+                    result.depth_A.size(), curve.depth_A.size(), fewest_points_to_fit);
   if (!(std::ranges::max(result.force_eV_per_A) > 0))
     throw bad_input("{}: no force is positive; are sign and zero of the force right?", curve.file.string());
 }
@@ -47,8 +46,7 @@ void select_points(MeasuredResult& result, const MeasuredOptions& options, std::
 /// The membrane is fitted where the closed form's offsets put the zeros.
 void fit_the_membrane(MeasuredResult& result, const MeasuredOptions& options, const ClosedForm& form,
                       const std::vector<double>& sigma) {
-  const double shift = result.fit.depth_offset_A.value_or(0),
-               lift = result.fit.force_offset_eV_per_A.value_or(0);
+  const double shift = result.fit.depth_offset_A.value_or(0), lift = result.fit.force_offset_eV_per_A.value_or(0);
   std::vector<double> depth, force, spread;
   for (std::size_t i = 0; i < result.depth_A.size(); ++i) {
     if (!(result.depth_A[i] > shift)) continue;
@@ -102,8 +100,7 @@ MeasuredResult evaluate(MeasuredCurve curve, const MeasuredOptions& options) {
   result.scan = scan_window(model, result.depth_A, result.force_eV_per_A, settings);
   MeasuredOptions resolved = options;
   resolved.fit = settings;
-  fit_the_membrane(result, resolved, form,
-                   settings.weighting == Weighting::sigma ? sigma : std::vector<double>{});
+  fit_the_membrane(result, resolved, form, settings.weighting == Weighting::sigma ? sigma : std::vector<double>{});
   FitContext context{.a_A = options.geometry.a_A};
   context.tip_assumed_a_point = options.geometry.tip_A == 0;
   if (options.geometry.bending_eV > 0) context.bending_eV = options.geometry.bending_eV;

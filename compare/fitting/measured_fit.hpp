@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "compare/input/measured_curve.hpp"
 #include "compare/fitting/membrane_fit.hpp"
 #include "compare/fitting/models/list.hpp"
-#include "compare/results/result.hpp"
 #include "compare/fitting/run_fit.hpp"
+#include "compare/input/measured_curve.hpp"
+#include "compare/results/result.hpp"
 
 namespace validate {
 
@@ -35,7 +35,7 @@ struct MeasuredResult {
   double baseline_eV_per_A = 0;                 ///< taken off
   Fit fit;
   WindowScan scan;
-  std::string direct_skipped;  ///< why not
+  std::string direct_skipped;                                 ///< why not
   std::vector<double> direct_depth_A, direct_force_eV_per_A;  ///< of the membrane itself, depths as in depth_A
   std::optional<double> torn_at_A;  ///< the sheet that was fitted ends here, and the fit of it with it
 };

@@ -7,10 +7,10 @@
 #include <exception>
 #include <stdexcept>
 
+#include "compare/base/units.hpp"
 #include "compare/fitting/curve.hpp"
 #include "compare/fitting/fit.hpp"
 #include "compare/fitting/models/list.hpp"
-#include "compare/base/units.hpp"
 #include "membrane/meridian/sheet.hpp"
 
 namespace validate {
@@ -35,8 +35,8 @@ sheet::Load load_of(const MembraneTip& tip) {
   return sheet::DiscLoad{tip.tip_A};
 }
 
-sheet::SheetProblem problem_of(const MembraneTip& tip, double Eh, double pretension,
-                               const std::vector<double>& depth, int levels) {
+sheet::SheetProblem problem_of(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
+                               int levels) {
   sheet::SheetProblem problem;
   problem.radius_A = tip.a_A;
   problem.law = tip.physics ? tip.physics->law(Eh) : membrane::StVenantKirchhoff{Eh, tip.nu};
@@ -119,7 +119,10 @@ SheetPhysics calibrated_physics(const membrane::CauchyBorn& law, double bending_
 }
 
 SheetPhysics third_order_physics(double nu, double D, double bending_eV) {
-  return {[nu, D](double Eh) -> membrane::Law { return membrane::LeeGraphene{Eh, nu, D}; }, bending_eV,
+  return {[nu, D](double Eh) -> membrane::Law {
+            return membrane::LeeGraphene{Eh, nu, D};
+          },
+          bending_eV,
           fmt::format("sheet of third order, D = {:.4g} N/m, κ = {:.3g} eV", D * N_per_m_per_eV_per_A2, bending_eV)};
 }
 
@@ -222,8 +225,7 @@ MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>
       break;
     }
     if (!result.converged) {
-      if (result.reason.empty())
-        result.reason = fit.converged ? "E·h and pretension did not settle" : fit.reason;
+      if (result.reason.empty()) result.reason = fit.converged ? "E·h and pretension did not settle" : fit.reason;
       return result;
     }
     result.fit = {fit.parameters[0], fit.standard_errors[0], fit.parameters[1], fit.standard_errors[1],

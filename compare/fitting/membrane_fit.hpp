@@ -27,9 +27,9 @@ SheetPhysics third_order_physics(double nu, double D_eV_per_A2, double bending_e
 /// A clamped sheet and its tip, without E·h and pretension.
 struct MembraneTip {
   double a_A = 0, nu = 0;
-  double tip_A = 0;            ///< radius of the loaded disc or of the sphere; 0: a point
-  double record_radius_A = 0;  ///< where the depth is taken; 0: the centre
-  bool sphere = false;         ///< rigid and frictionless; else a dead load
+  double tip_A = 0;                                    ///< radius of the loaded disc or of the sphere; 0: a point
+  double record_radius_A = 0;                          ///< where the depth is taken; 0: the centre
+  bool sphere = false;                                 ///< rigid and frictionless; else a dead load
   std::optional<SheetPhysics> physics = std::nullopt;  ///< absent: the paper's membrane
 };
 
@@ -39,7 +39,8 @@ struct MembraneFitReport {
   int iterations = 0;  ///< curves of the membrane that were solved
   DirectFit fit;
   std::vector<double> depth_A, force_eV_per_A;  ///< of the fitted membrane, at the points that were fitted
-  /// Depth at which a sheet that softens was last found, and beyond which its law lets it tear: deeper points are left out.
+  /// Depth at which a sheet that softens was last found, and beyond which its law lets it tear: deeper points are left
+  /// out.
   std::optional<double> torn_at_A;
 };
 
@@ -52,16 +53,17 @@ struct SheetCurve {
   std::string ended_early;  ///< why a depth was not reached; empty: all were
 };
 
-/// The curve of a sheet of any law at controlled depths, as far as it goes: a law that softens ends where the sheet fails.
+/// The curve of a sheet of any law at controlled depths, as far as it goes: a law that softens ends where the sheet
+/// fails.
 SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double pretension_eV_per_A2,
                        const std::vector<double>& depth_A);
 
-/// Least squares with the finite-strain membrane (or the tip's sheet), solved in one dimension. A closed form (the shallow membrane, or for a
-/// sphere its limits) gives the derivatives: its curve, times the ratio of the two models at the last E·h and pretension,
-/// is fitted until neither changes by more than 1e-5. The ratio changes little, so few curves are enough. `sigma` (eV/Å)
-/// weights the points; empty: all alike. Where the tip's own sheet ends before the curve, it is fitted as far as it goes. Not converging is reported, not thrown.
+/// Least squares with the finite-strain membrane (or the tip's sheet), solved in one dimension. A closed form (the
+/// shallow membrane, or for a sphere its limits) gives the derivatives: its curve, times the ratio of the two models at
+/// the last E·h and pretension, is fitted until neither changes by more than 1e-5. The ratio changes little, so few
+/// curves are enough. `sigma` (eV/Å) weights the points; empty: all alike. Where the tip's own sheet ends before the
+/// curve, it is fitted as far as it goes. Not converging is reported, not thrown.
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth_A,
-                               const std::vector<double>& force_eV_per_A,
-                               const std::vector<double>& sigma_eV_per_A);
+                               const std::vector<double>& force_eV_per_A, const std::vector<double>& sigma_eV_per_A);
 
 }  // namespace validate

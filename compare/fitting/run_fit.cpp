@@ -42,8 +42,7 @@ LeastSquaresReport least_squares_of(const AnyCurveModel& model, const std::vecto
   return least_squares(model, depth, force, start_of(model, depth, force), options);
 }
 
-Fit fit_of(const LeastSquaresReport& report, const std::vector<double>& depth,
-           const std::vector<double>& force) {
+Fit fit_of(const LeastSquaresReport& report, const std::vector<double>& depth, const std::vector<double>& force) {
   Fit fit;
   fit.Eh_eV_per_A2 = report.parameters[0];
   fit.Eh_stderr_eV_per_A2 = report.standard_errors[0];
@@ -95,8 +94,8 @@ std::variant<Fit, std::string> fit_curve(const AnyCurveModel& bare, const std::v
   return fit;
 }
 
-WindowScan scan_window(const AnyCurveModel& bare, const std::vector<double>& depth,
-                       const std::vector<double>& force, const CurveFitOptions& options) {
+WindowScan scan_window(const AnyCurveModel& bare, const std::vector<double>& depth, const std::vector<double>& force,
+                       const CurveFitOptions& options) {
   const AnyCurveModel model = with_offsets(bare, options.depth_offset, options.force_offset);
   std::vector<std::size_t> order(depth.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -109,8 +108,7 @@ WindowScan scan_window(const AnyCurveModel& bare, const std::vector<double>& dep
     d.push_back(depth[i]);
     f.push_back(force[i]);
     if (options.weighting == Weighting::sigma) part.sigma_eV_per_A.push_back(options.sigma_eV_per_A[i]);
-    if (d.size() <
-        std::max<std::size_t>(fewest_points_to_fit, static_cast<std::size_t>(model.parameter_count) + 1))
+    if (d.size() < std::max<std::size_t>(fewest_points_to_fit, static_cast<std::size_t>(model.parameter_count) + 1))
       continue;
     const auto report = least_squares_of(model, d, f, {.weights = weights_of(f, part)});
     if (!report.converged) continue;
@@ -127,8 +125,7 @@ FitBias fit_bias(const Fit& fit, const Fit& membranes, double Eh_true, double pr
                .pretension_true_eV_per_A2 = pretension_true,
                .pretension_read_eV_per_A2 = membranes.pretension_eV_per_A2};
   bias.Eh_corrected_eV_per_A2 = fit.Eh_eV_per_A2 * Eh_true / membranes.Eh_eV_per_A2;
-  bias.pretension_corrected_eV_per_A2 =
-      fit.pretension_eV_per_A2 + pretension_true - membranes.pretension_eV_per_A2;
+  bias.pretension_corrected_eV_per_A2 = fit.pretension_eV_per_A2 + pretension_true - membranes.pretension_eV_per_A2;
   return bias;
 }
 
@@ -138,8 +135,8 @@ std::string too_few(const Run& run, std::size_t usable) {
   std::size_t artefacts = 0, unconverged = 0;
   for (const bool flag : run.artefact) artefacts += flag;
   for (const bool flag : run.converged) unconverged += !flag;
-  return fmt::format("{} usable points of {} ({} in the artefact zone, {} not converged); a fit needs {}",
-                     usable, run.depth_A.size(), artefacts, unconverged, fewest_points_to_fit);
+  return fmt::format("{} usable points of {} ({} in the artefact zone, {} not converged); a fit needs {}", usable,
+                     run.depth_A.size(), artefacts, unconverged, fewest_points_to_fit);
 }
 
 struct UsablePoints {
@@ -220,8 +217,7 @@ void add_biases(Result& result) {
     const Run* membrane = like_for_like(result, run);
     if (!membrane) continue;
     const auto read = membranes_fit(*membrane, run.fit->fitted_depth_A);
-    if (read)
-      run.fit->bias = fit_bias(*run.fit, *read, membrane->Eh_eV_per_A2, membrane->pretension_eV_per_A2);
+    if (read) run.fit->bias = fit_bias(*run.fit, *read, membrane->Eh_eV_per_A2, membrane->pretension_eV_per_A2);
   }
 }
 

@@ -46,8 +46,8 @@ void fit_run(Run& run);
 /// own), at the depths of the fit, fitted in the same way.
 void add_biases(Result& result);
 
-/// Adds to each fit the membrane model itself, fitted to the same curve with the real tip. For a membrane that is a check:
-/// it must give back the constants.
+/// Adds to each fit the membrane model itself, fitted to the same curve with the real tip. For a membrane that is a
+/// check: it must give back the constants.
 void add_direct_fits(Result& result);
 
 }  // namespace validate

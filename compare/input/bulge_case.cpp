@@ -26,8 +26,10 @@ void check_atoms(const BulgeCase& c, const Origins& origins) {
 
 void check(const BulgeCase& c, const Origins& origins) {
   if (!c.potential.empty()) check_atoms(c, origins);
-  if (c.pressures_eV_per_A3.empty()) throw bad_input("{}: at least one pressure is needed", label_of(origins, "pressures"));
-  if (c.cells != std::floor(c.cells)) throw bad_input("{}: {} is not a whole number", label_of(origins, "cells"), c.cells);
+  if (c.pressures_eV_per_A3.empty())
+    throw bad_input("{}: at least one pressure is needed", label_of(origins, "pressures"));
+  if (c.cells != std::floor(c.cells))
+    throw bad_input("{}: {} is not a whole number", label_of(origins, "cells"), c.cells);
   if (c.pretension_eV_per_A2 > 0 && c.edge == "sliding")
     throw bad_input("{}: an edge that slides cannot hold a pretension; use edge = \"clamped\"",
                     label_of(origins, "pretension"));
@@ -46,12 +48,21 @@ membrane::Problem bulge_problem(const BulgeCase& c) {
   const auto extent = c.extent == "quarter" ? membrane::Extent::quarter : membrane::Extent::full;
   const int cells = static_cast<int>(c.cells);
   if (c.shape == "disc") {
-    problem.sheet = membrane::DiscSheet{.radius_A = c.size_A / 2, .rings = cells, .extent = extent,
-                                        .spacing = membrane::RingSpacing::uniform, .rim = support};
+    problem.sheet = membrane::DiscSheet{.radius_A = c.size_A / 2,
+                                        .rings = cells,
+                                        .extent = extent,
+                                        .spacing = membrane::RingSpacing::uniform,
+                                        .rim = support};
   } else {
-    problem.sheet = membrane::RectangleSheet{.length_x_A = c.size_A, .length_y_A = c.size_A, .cells_x = cells,
-                                             .cells_y = cells, .extent = extent, .left = support, .right = support,
-                                             .bottom = support, .top = support};
+    problem.sheet = membrane::RectangleSheet{.length_x_A = c.size_A,
+                                             .length_y_A = c.size_A,
+                                             .cells_x = cells,
+                                             .cells_y = cells,
+                                             .extent = extent,
+                                             .left = support,
+                                             .right = support,
+                                             .bottom = support,
+                                             .top = support};
   }
   problem.law = membrane::StVenantKirchhoff{c.E_eV_per_A3 * c.thickness_A, c.nu};
   problem.prestress_eV_per_A2 = c.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();

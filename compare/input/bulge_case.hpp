@@ -45,7 +45,9 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{.name = "extent", .meaning = "part that is meshed", .choices = extent_names}, c.extent);
   visit(Field{"cells", {}, "rings of a disc, cells along a side of a square's meshed part", from_to(8, 500)}, c.cells);
   visit(Field{"unrelaxed", {}, "let the sheet bear compression: what the paper's relaxation removes"}, c.unrelaxed);
-  visit(Field{"potential", {}, "the same sheet as atoms beside it (name in inputs/potentials, or path); E and nu are its own"},
+  visit(Field{"potential",
+              {},
+              "the same sheet as atoms beside it (name in inputs/potentials, or path); E and nu are its own"},
         c.potential);
 }
 

@@ -1,8 +1,8 @@
 #include "compare/input/case.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "compare/base/errors.hpp"
@@ -23,7 +23,7 @@ constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking st
 
 // Bounds of any sheet: beyond them a unit was mistaken, and the mesh or the solver would say so less clearly.
 constexpr double largest_tip_of_radius = 0.95, smallest_tip_of_radius = 1e-6;
-constexpr double smallest_radius_A = 1e-3, largest_radius_A = 1e14;            // up to 10 km
+constexpr double smallest_radius_A = 1e-3, largest_radius_A = 1e14;           // up to 10 km
 constexpr double smallest_Eh_eV_per_A2 = 1e-12, largest_Eh_eV_per_A2 = 1e12;  // 16 pN/m, 16 TN/m
 
 bool has_load(const Case& c, std::string_view load) {
@@ -62,12 +62,11 @@ void check_given_constants(const Case& c, const Origins& origins) {
   }
   if (given.empty()) return;
   if (!missing.empty()) {
-    throw bad_input("{}: a membrane with given constants needs E, thickness and nu; missing: {}", given,
-                    missing);
+    throw bad_input("{}: a membrane with given constants needs E, thickness and nu; missing: {}", given, missing);
   }
   if (c.models != "membrane") {
-    throw bad_input("{}: given constants describe a membrane alone: add --models membrane ({} is '{}')",
-                    given, label_of(origins, "models"), c.models);
+    throw bad_input("{}: given constants describe a membrane alone: add --models membrane ({} is '{}')", given,
+                    label_of(origins, "models"), c.models);
   }
 }
 
@@ -88,9 +87,10 @@ void check_membrane(const Case& c, const Origins& origins) {
   }
   for (const double force : c.forces_eV_per_A) {
     if (!(force <= Eh * c.radius_A)) {
-      throw bad_input("{}: {} eV/Å would press the sheet deeper than its radius; at most E times thickness times radius, "
-                      "{:.6g} eV/Å",
-                      label_of(origins, "forces"), force, Eh * c.radius_A);
+      throw bad_input(
+          "{}: {} eV/Å would press the sheet deeper than its radius; at most E times thickness times radius, "
+          "{:.6g} eV/Å",
+          label_of(origins, "forces"), force, Eh * c.radius_A);
     }
   }
 }
@@ -125,14 +125,13 @@ void check_lattice(const Case& c, const Origins& origins) {
 
 void check_levels(const Case& c, const Origins& origins) {
   if (c.forces_eV_per_A.size() > most_levels) {
-    throw bad_input("{}: {} levels are too many; at most {}", label_of(origins, "forces"),
-                    c.forces_eV_per_A.size(), most_levels);
+    throw bad_input("{}: {} levels are too many; at most {}", label_of(origins, "forces"), c.forces_eV_per_A.size(),
+                    most_levels);
   }
   if (!c.forces_eV_per_A.empty()) return;
   const double depth_max = largest_depth_A(c);
   if (!(depth_max <= c.radius_A)) {
-    throw bad_input("{}: {} Å is deeper than the radius, {} Å", label_of(origins, "depth-max"), depth_max,
-                    c.radius_A);
+    throw bad_input("{}: {} Å is deeper than the radius, {} Å", label_of(origins, "depth-max"), depth_max, c.radius_A);
   }
   if (!(depth_step_A(c) <= depth_max)) {
     throw bad_input("{}: {} Å is larger than the largest depth, {:.6g} Å{}", label_of(origins, "depth-step"),
@@ -140,9 +139,8 @@ void check_levels(const Case& c, const Origins& origins) {
                     c.depth_max_A ? "" : fmt::format(" ({} of the radius)", depth_max_of_radius));
   }
   if (!(depth_max / depth_step_A(c) <= most_levels)) {
-    throw bad_input("{}: steps of {} Å up to {:.6g} Å are {:.0f} levels; at most {}",
-                    label_of(origins, "depth-step"), depth_step_A(c), depth_max, depth_max / depth_step_A(c),
-                    most_levels);
+    throw bad_input("{}: steps of {} Å up to {:.6g} Å are {:.0f} levels; at most {}", label_of(origins, "depth-step"),
+                    depth_step_A(c), depth_max, depth_max / depth_step_A(c), most_levels);
   }
 }
 
@@ -151,8 +149,8 @@ void check_places(const std::vector<double>& places, std::string_view name, cons
     throw bad_input("{}: {} numbers are not pairs x,y", label_of(origins, name), places.size());
   for (std::size_t i = 0; i + 1 < places.size(); i += 2)
     if (!(std::hypot(places[i], places[i + 1]) < c.radius_A))
-      throw bad_input("{}: the place {}, {} Å lies outside the free sheet, whose radius is {} Å", label_of(origins, name),
-                      places[i], places[i + 1], c.radius_A);
+      throw bad_input("{}: the place {}, {} Å lies outside the free sheet, whose radius is {} Å",
+                      label_of(origins, name), places[i], places[i + 1], c.radius_A);
 }
 
 void check_window(const Case& c, const Origins& origins) {
@@ -174,9 +172,8 @@ std::vector<std::string> warnings(const Case& c, const Origins& origins) {
                                 label_of(origins, "depth-max"), largest_depth_A(c)));
   }
   if (c.models != "membrane" && c.radius_A > memory_warning_radius_A) {
-    found.push_back(
-        fmt::format("{}: a sheet of {} Å has about {:.1f} million atoms and needs several GiB of memory",
-                    label_of(origins, "radius"), c.radius_A, 1.2e-6 * c.radius_A * c.radius_A));
+    found.push_back(fmt::format("{}: a sheet of {} Å has about {:.1f} million atoms and needs several GiB of memory",
+                                label_of(origins, "radius"), c.radius_A, 1.2e-6 * c.radius_A * c.radius_A));
   }
   return found;
 }

@@ -1,7 +1,7 @@
 #include "compare/input/case_file.hpp"
 
-#include "compare/input/potential_file.hpp"
 #include "compare/base/toml_file.hpp"
+#include "compare/input/potential_file.hpp"
 
 namespace validate {
 

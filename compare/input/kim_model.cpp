@@ -35,7 +35,8 @@ std::vector<std::string> installed_models() {
   std::error_code ignored;
   for (const Collection& collection : collections)
     for (const fs::path& folder : folders_of(collection))
-      for (const auto& entry : fs::directory_iterator(folder, ignored)) names.push_back(entry.path().filename().string());
+      for (const auto& entry : fs::directory_iterator(folder, ignored))
+        names.push_back(entry.path().filename().string());
   return names;
 }
 
@@ -54,8 +55,9 @@ KimModel require_kim_model(const std::string& name, std::string_view label) {
   const auto names = installed_models();
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   throw bad_input("{}: the OpenKIM model '{}' is not installed ({}){}", label, name,
-                  names.empty() ? "there are none: the Debian package openkim-models brings them, bootstrap.sh --with-kim"
-                                : fmt::format("{} others are", names.size()),
+                  names.empty()
+                      ? "there are none: the Debian package openkim-models brings them, bootstrap.sh --with-kim"
+                      : fmt::format("{} others are", names.size()),
                   did_you_mean(name, candidates));
 }
 

@@ -47,8 +47,7 @@ char separator_of(const std::string& header) {
 
 /// One of the unit in base units, if the text is a unit of that quantity.
 std::optional<double> unit_in_base(std::string text, std::string_view base) {
-  for (auto at = text.find("_per_"); at != std::string::npos; at = text.find("_per_"))
-    text.replace(at, 5, "/");
+  for (auto at = text.find("_per_"); at != std::string::npos; at = text.find("_per_")) text.replace(at, 5, "/");
   if (text.empty()) return std::nullopt;
   try {
     return parse_quantity("1 " + text, base, "");
@@ -67,8 +66,7 @@ Heading heading(const std::string& cell, std::string_view base) {
   for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}}) {
     const auto from = cell.find(open), to = cell.rfind(close);
     if (from == std::string::npos || to == std::string::npos || to < from) continue;
-    return {cell, trimmed(cell.substr(0, from)),
-            unit_in_base(trimmed(cell.substr(from + 1, to - from - 1)), base)};
+    return {cell, trimmed(cell.substr(0, from)), unit_in_base(trimmed(cell.substr(from + 1, to - from - 1)), base)};
   }
   for (const char mark : {'_', ' ', '/'}) {
     for (auto at = cell.find(mark); at != std::string::npos; at = cell.find(mark, at + 1))
@@ -79,8 +77,7 @@ Heading heading(const std::string& cell, std::string_view base) {
 }
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -135,9 +132,8 @@ class Table {
 
   std::size_t need(const Purpose& purpose, const std::string& choice) const {
     if (const auto index = find(purpose, choice)) return *index;
-    throw bad_input("{}:{}: no column for {} among: {}; name it like {}, or choose one with {}",
-                    file_.string(), header_.number, purpose.names[0], fmt::join(header_.cells, ", "),
-                    purpose.example, purpose.flag);
+    throw bad_input("{}:{}: no column for {} among: {}; name it like {}, or choose one with {}", file_.string(),
+                    header_.number, purpose.names[0], fmt::join(header_.cells, ", "), purpose.example, purpose.flag);
   }
 
   std::vector<double> column(std::size_t index, const Purpose& purpose) const {
@@ -201,8 +197,7 @@ MeasuredCurve read_measured(const std::filesystem::path& file, const ColumnChoic
   MeasuredCurve curve;
   curve.file = file;
   curve.remarks = table.remarks();
-  const std::size_t depth = table.need(depth_column, choice.depth),
-                    force = table.need(force_column, choice.force);
+  const std::size_t depth = table.need(depth_column, choice.depth), force = table.need(force_column, choice.force);
   curve.depth_A = table.column(depth, depth_column);
   curve.force_eV_per_A = table.column(force, force_column);
   curve.depth_column = table.name(depth);
@@ -211,8 +206,7 @@ MeasuredCurve read_measured(const std::filesystem::path& file, const ColumnChoic
     curve.sigma_eV_per_A = table.column(*sigma, sigma_column);
     curve.sigma_column = table.name(*sigma);
     if (!std::ranges::all_of(curve.sigma_eV_per_A, [](double s) { return s > 0; }))
-      throw bad_input("{}: column '{}' holds a standard deviation that is not > 0", file.string(),
-                      curve.sigma_column);
+      throw bad_input("{}: column '{}' holds a standard deviation that is not > 0", file.string(), curve.sigma_column);
   }
   return curve;
 }

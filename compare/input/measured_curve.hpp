@@ -12,8 +12,7 @@ namespace validate {
 struct MeasuredCurve {
   std::filesystem::path file;
   std::vector<double> depth_A, force_eV_per_A;
-  std::vector<double>
-      sigma_eV_per_A;  ///< standard deviation of each force; empty where there is no such column
+  std::vector<double> sigma_eV_per_A;  ///< standard deviation of each force; empty where there is no such column
   std::string depth_column, force_column, sigma_column;
   std::map<std::string, std::string> remarks;  ///< lines `# key: value`
 };

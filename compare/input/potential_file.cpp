@@ -8,11 +8,11 @@
 
 #include "compare/base/describe.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/input/kim_model.hpp"
 #include "compare/base/nearest.hpp"
 #include "compare/base/read_file.hpp"
 #include "compare/base/sha256.hpp"
 #include "compare/base/toml_file.hpp"
+#include "compare/input/kim_model.hpp"
 
 namespace validate {
 
@@ -39,8 +39,7 @@ void describe(Self& k, Visitor&& visit) {
   visit(Field{"parameters_sha256", {}, "SHA-256 of the file's words outside comments"}, k.parameters_sha256);
   visit(Field{"switch_parameter", {}, "parameter that --switch-length moves"}, k.switch_parameter);
   visit(Field{"mass", {}, "mass of a carbon atom, g/mol", positive()}, k.mass);
-  visit(Field{"interaction_range", unit::length, "how far an atom changes forces", positive()},
-        k.interaction_range_A);
+  visit(Field{"interaction_range", unit::length, "how far an atom changes forces", positive()}, k.interaction_range_A);
   visit(Field{"artefact_bond", unit::length, "bond length from which forces are an artefact", positive()},
         k.artefact_bond_A);
   visit(Field{"citation", {}, "paper, with DOI"}, k.citation);
@@ -57,8 +56,8 @@ fs::path find_description(std::string_view name_or_path, const fs::path& folder,
     return folder / fmt::format("{}.toml", name_or_path);
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  throw bad_input("{}: unknown potential '{}'; available: {}, or a path to a TOML file{}", label,
-                  name_or_path, fmt::join(names, ", "), did_you_mean(name_or_path, candidates));
+  throw bad_input("{}: unknown potential '{}'; available: {}, or a path to a TOML file{}", label, name_or_path,
+                  fmt::join(names, ", "), did_you_mean(name_or_path, candidates));
 }
 
 fs::path find_parameters(const std::string& file, const fs::path& toml, std::string_view label) {
@@ -83,13 +82,12 @@ std::string words_of(const std::string& content) {
   return words;
 }
 
-void check_parameters(const std::string& content, const Keys& keys, const fs::path& file,
-                      std::string_view label) {
+void check_parameters(const std::string& content, const Keys& keys, const fs::path& file, std::string_view label) {
   const std::string words = words_of(content);
   if (words == " ") throw bad_input("{}: the parameter file '{}' holds no parameters", label, file.string());
   if (words.find(fmt::format(" {} ", keys.declares)) == std::string::npos && !keys.declares.empty()) {
-    throw bad_input("{}: the parameter file '{}' does not hold '{}', so it does not describe carbon for '{}'",
-                    label, file.string(), keys.declares, keys.pair_style);
+    throw bad_input("{}: the parameter file '{}' does not hold '{}', so it does not describe carbon for '{}'", label,
+                    file.string(), keys.declares, keys.pair_style);
   }
 }
 
@@ -137,9 +135,8 @@ void check_keys(const Keys& keys, const fs::path& toml) {
   require(!keys.pair_style.empty(), "pair_style");
   require(!keys.pair_coeff.empty(), "pair_coeff");
   require(keys.interaction_range_A > 0, "interaction_range");
-  const bool uses_file =
-      std::any_of(keys.pair_coeff.begin(), keys.pair_coeff.end(),
-                  [](const std::string& line) { return line.find("{file}") != std::string::npos; });
+  const bool uses_file = std::any_of(keys.pair_coeff.begin(), keys.pair_coeff.end(),
+                                     [](const std::string& line) { return line.find("{file}") != std::string::npos; });
   if (uses_file) require(!keys.file.empty(), "file");
   if (!uses_file && !keys.file.empty()) {
     throw bad_input("{}: no line of pair_coeff holds {{file}}, the place of '{}'", toml.string(), keys.file);

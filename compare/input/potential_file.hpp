@@ -31,8 +31,8 @@ std::vector<std::filesystem::path> places_for_parameters(const std::filesystem::
 
 /// Reads a potential by name (in `folder`; `kim/hnn-2019` is one too) or by path (from the current directory) and
 /// checks that its parameter file exists, can be read, holds what the description says and suits the pair style, so
-/// that LAMMPS never sees a bad one; a file with other parameters than the description was written for is a warning. `label` (flag, or file and line) starts the messages. Throws Error: bad input; file failed if
-/// unreadable.
+/// that LAMMPS never sees a bad one; a file with other parameters than the description was written for is a warning.
+/// `label` (flag, or file and line) starts the messages. Throws Error: bad input; file failed if unreadable.
 PotentialFile read_potential(std::string_view name_or_path, const std::filesystem::path& folder,
                              std::string_view label);
 

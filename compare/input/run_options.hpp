@@ -12,8 +12,8 @@ struct RunOptions {
   std::optional<std::filesystem::path> out;        ///< absent: runs/<command>-<potential>-R<radius>
   std::optional<std::filesystem::path> json;       ///< summary.json once more; "-" is stdout
   int ranks = 0;                                   ///< MPI ranks; 0: chosen by the program
-  std::string launcher;     ///< command before validate-atoms; empty: mpiexec where needed
-  bool all_fields = false;  ///< fields of the membranes at every depth
+  std::string launcher;                            ///< command before validate-atoms; empty: mpiexec where needed
+  bool all_fields = false;                         ///< fields of the membranes at every depth
   bool quiet = false, resume = false, overwrite = false, dry_run = false;
 };
 

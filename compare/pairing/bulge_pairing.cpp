@@ -75,7 +75,8 @@ membrane::Problem membrane_of(const BulgeCase& c, const atomistic::Card& card, c
   return problem;
 }
 
-membrane::axisymmetric::SheetProblem calibrated_disc(const BulgeCase& c, const PotentialCard& card, const BulgePair& pair) {
+membrane::axisymmetric::SheetProblem calibrated_disc(const BulgeCase& c, const PotentialCard& card,
+                                                     const BulgePair& pair) {
   membrane::axisymmetric::SheetProblem problem;
   problem.radius_A = pair.size_A.x() / 2;
   problem.load = membrane::axisymmetric::PressureLoad{};

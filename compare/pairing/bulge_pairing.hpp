@@ -12,7 +12,8 @@
 namespace validate {
 
 struct BulgePair {
-  std::optional<membrane::axisymmetric::SheetProblem> calibrated;  ///< a clamped disc of the potential's own law that bends
+  std::optional<membrane::axisymmetric::SheetProblem>
+      calibrated;  ///< a clamped disc of the potential's own law that bends
   atomistic::Sheet sheet;
   atomistic::Problem atoms;
   membrane::Problem membrane;
@@ -22,8 +23,8 @@ struct BulgePair {
 /// The atoms fill the case's disc or square under its follower pressures. The membrane has the card's constants and
 ///   clamped: a margin of 0.75 bonds around the free atoms' disc or square, as under an indenter;
 ///   sliding: its edges where the sheet's outermost atoms are, which the supports hold at z = 0;
-///   both: the depth of record at one bond from the axis (on a square's grid: the centre), the case's pretension, imposed on
-///   the atoms as biaxial strain.
+///   both: the depth of record at one bond from the axis (on a square's grid: the centre), the case's pretension,
+///   imposed on the atoms as biaxial strain.
 /// A clamped disc has a calibrated sheet beside it, whose shapes the atoms start from.
 /// Throws Error (bad input) for a sheet too small for a lattice.
 BulgePair pair_bulge(const BulgeCase& c, const PotentialCard& card);

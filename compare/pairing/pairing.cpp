@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "atomistic/loads/load_term.hpp"
-#include "compare/potential/law/states.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
 #include "compare/pairing/smooth_curve.hpp"
+#include "compare/potential/law/states.hpp"
 
 namespace validate {
 namespace {
@@ -21,9 +21,9 @@ constexpr double paper_E_eV_per_A3 = 5.864, paper_thickness_A = 1.37, paper_nu =
 membrane::Load disc_of(double radius_A) { return membrane::DiscLoad{radius_A}; }
 membrane::Load sphere_of(double radius_A) { return membrane::SphereLoad{radius_A}; }
 
-/// A load by its name, as each leaf knows it: the atoms', the membrane's of nominal radii, and the twin of the atoms. Dead
-/// loads on N atoms have a disc of their area as twin, a rigid sphere the same sphere (its radius is to the atoms' centres).
-/// `point` is the six atoms of the central hexagon, and one node of a membrane that has no atoms to match.
+/// A load by its name, as each leaf knows it: the atoms', the membrane's of nominal radii, and the twin of the atoms.
+/// Dead loads on N atoms have a disc of their area as twin, a rigid sphere the same sphere (its radius is to the atoms'
+/// centres). `point` is the six atoms of the central hexagon, and one node of a membrane that has no atoms to match.
 struct LoadPair {
   std::string_view name;
   atomistic::Load (*atoms)(double tip_A);
@@ -35,7 +35,8 @@ constexpr std::array loads = {
     LoadPair{"point", [](double) -> atomistic::Load { return atomistic::PointLoad{}; },
              [](double) -> membrane::Load { return membrane::PointLoad{}; }, false},
     LoadPair{"disc", [](double tip) -> atomistic::Load { return atomistic::DiscLoad{tip}; }, disc_of, false},
-    LoadPair{"sphere", [](double tip) -> atomistic::Load { return atomistic::SphereLoad{.radius_A = tip}; }, sphere_of, true},
+    LoadPair{"sphere", [](double tip) -> atomistic::Load { return atomistic::SphereLoad{.radius_A = tip}; }, sphere_of,
+             true},
 };
 
 const LoadPair& load_pair(std::string_view name) {
@@ -73,9 +74,8 @@ double tip_radius_A(const membrane::Load& load) {
 bool dead_forces(const Case& c) { return !c.forces_eV_per_A.empty(); }
 
 /// Membrane with its radii, constants and pretension; the case supplies the rest.
-MembraneExperiment membrane_experiment(const Case& c, const std::string& load,
-                                       const std::vector<double>& levels, Constants constants, double a_A,
-                                       membrane::Load pattern, double Eh, double nu) {
+MembraneExperiment membrane_experiment(const Case& c, const std::string& load, const std::vector<double>& levels,
+                                       Constants constants, double a_A, membrane::Load pattern, double Eh, double nu) {
   MembraneExperiment e;
   e.run.model = Model::membrane;
   e.run.load = load;
@@ -111,13 +111,11 @@ double PairedSheet::effective_tip_A(const atomistic::Load& load) const {
   return std::sqrt(loaded * atom_area / std::numbers::pi);
 }
 
-atomistic::Load atomistic_load(const Case& c, const std::string& load) {
-  return load_pair(load).atoms(c.tip_radius_A);
-}
+atomistic::Load atomistic_load(const Case& c, const std::string& load) { return load_pair(load).atoms(c.tip_radius_A); }
 
 AtomisticExperiment atomistic_experiment(const Case& c, const atomistic::Potential& potential,
-                                         const atomistic::Card& card, const PairedSheet& pair,
-                                         const std::string& load, const std::vector<double>& levels) {
+                                         const atomistic::Card& card, const PairedSheet& pair, const std::string& load,
+                                         const std::vector<double>& levels) {
   AtomisticExperiment e;
   e.problem.potential = potential;
   e.problem.card = card;
@@ -151,17 +149,17 @@ MembraneExperiment card_membrane(const Case& c, const atomistic::Card& card, con
 }
 
 MembraneExperiment paper_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
-  MembraneExperiment e = membrane_experiment(c, load, levels, Constants::paper, c.radius_A,
-                                             load_pair(load).nominal(c.tip_radius_A),
-                                             paper_E_eV_per_A3 * paper_thickness_A, paper_nu);
+  MembraneExperiment e =
+      membrane_experiment(c, load, levels, Constants::paper, c.radius_A, load_pair(load).nominal(c.tip_radius_A),
+                          paper_E_eV_per_A3 * paper_thickness_A, paper_nu);
   e.thickness_A = paper_thickness_A;
   return e;
 }
 
 MembraneExperiment given_membrane(const Case& c, const std::string& load, const std::vector<double>& levels) {
   MembraneExperiment e =
-      membrane_experiment(c, load, levels, Constants::given, c.radius_A,
-                          load_pair(load).nominal(c.tip_radius_A), *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
+      membrane_experiment(c, load, levels, Constants::given, c.radius_A, load_pair(load).nominal(c.tip_radius_A),
+                          *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
   e.thickness_A = *c.thickness_A;
   return e;
 }
@@ -202,13 +200,12 @@ SheetExperiment sheet_experiment(const Case& c, const std::string& load, const s
   return e;
 }
 
-/// A law per area of the sheet that is stretched already, W(λ² Ē)/λ²: the prestress is then the law's answer to the imposed
-/// strain, exactly.
+/// A law per area of the sheet that is stretched already, W(λ² Ē)/λ²: the prestress is then the law's answer to the
+/// imposed strain, exactly.
 membrane::CauchyBorn prestretched(membrane::CauchyBorn law, double stretch) {
   const double square = stretch * stretch;
   law.sheet_modulus_eV_per_A2 *= square;
-  for (membrane::InvariantTerm& term : law.terms)
-    term.coefficient_eV_per_A2 *= std::pow(square, term.a + term.b - 1);
+  for (membrane::InvariantTerm& term : law.terms) term.coefficient_eV_per_A2 *= std::pow(square, term.a + term.b - 1);
   return law;
 }
 
@@ -261,8 +258,10 @@ std::vector<atomistic::Guide> guides_from(const axi::SheetProblem& problem) {
       depth.push_back(point.depth_A);
     }
     const SmoothCurve u(radius, outward), w(radius, depth);
-    atomistic::Guide guide{.level = problem.levels[static_cast<std::size_t>(step.level)], .spacing_A = spacing_A,
-                           .outward_A = {}, .depth_A = {}};
+    atomistic::Guide guide{.level = problem.levels[static_cast<std::size_t>(step.level)],
+                           .spacing_A = spacing_A,
+                           .outward_A = {},
+                           .depth_A = {}};
     for (int i = 0; i * spacing_A < radius.back(); ++i) {
       guide.outward_A.push_back(u.at(i * spacing_A));
       guide.depth_A.push_back(w.at(i * spacing_A));

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "atomistic/problem.hpp"
 #include "atomistic/lattice/sheet.hpp"
-#include "compare/potential/law/calibrated_law.hpp"
+#include "atomistic/problem.hpp"
 #include "compare/input/case.hpp"
+#include "compare/potential/law/calibrated_law.hpp"
 #include "compare/results/result.hpp"
 #include "membrane/meridian/sheet.hpp"
 #include "membrane/problem.hpp"
@@ -84,13 +84,13 @@ SheetExperiment calibrated_experiment(const Case& c, const atomistic::Card& card
                                       const PairedSheet& pair, const std::string& load,
                                       const std::vector<double>& levels, Model model, double artefact_bond_A);
 
-/// Makes a sheet one of the potential's own law that bends. `stretch` is that of the flat sheet: the law counts from the lattice
-/// at rest, and the prestress is its answer.
+/// Makes a sheet one of the potential's own law that bends. `stretch` is that of the flat sheet: the law counts from
+/// the lattice at rest, and the prestress is its answer.
 void set_calibrated(membrane::axisymmetric::SheetProblem& problem, const CalibratedLaw& law, double bending_modulus_eV,
                     double stretch);
 
-/// St Venant–Kirchhoff's sheet with the card's constants on its way to the atoms: a membrane of nominal radii, one of the
-/// paired radii, and a sheet that bends. The depth of record is the atoms' in all.
+/// St Venant–Kirchhoff's sheet with the card's constants on its way to the atoms: a membrane of nominal radii, one of
+/// the paired radii, and a sheet that bends. The depth of record is the atoms' in all.
 std::array<SheetExperiment, 3> plain_experiments(const Case& c, const atomistic::Card& card, const PairedSheet& pair,
                                                  const std::string& load, const std::vector<double>& levels);
 

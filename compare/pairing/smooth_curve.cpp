@@ -15,8 +15,6 @@ SmoothCurve::SmoothCurve(const std::vector<double>& x, const std::vector<double>
   gsl_spline_init(spline_.get(), x.data(), y.data(), x.size());
 }
 
-double SmoothCurve::at(double x) const {
-  return gsl_spline_eval(spline_.get(), std::clamp(x, first_, last_), nullptr);
-}
+double SmoothCurve::at(double x) const { return gsl_spline_eval(spline_.get(), std::clamp(x, first_, last_), nullptr); }
 
 }  // namespace validate

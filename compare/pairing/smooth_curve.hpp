@@ -8,8 +8,8 @@
 
 namespace validate {
 
-/// Natural cubic spline; x ascending, three points or more (throws std::invalid_argument otherwise). Beyond the ends the
-/// value of the end.
+/// Natural cubic spline; x ascending, three points or more (throws std::invalid_argument otherwise). Beyond the ends
+/// the value of the end.
 class SmoothCurve {
  public:
   SmoothCurve(const std::vector<double>& x, const std::vector<double>& y);

@@ -6,16 +6,16 @@
 #include <cstdlib>
 #include <fstream>
 #include <numbers>
-#include <stdexcept>
 #include <optional>
+#include <stdexcept>
 
 #include "atomistic/protocol/json.hpp"
-#include "compare/potential/law/states.hpp"
-#include "compare/potential/law/variants.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
-#include "compare/process/provenance.hpp"
 #include "compare/base/sha256.hpp"
+#include "compare/potential/law/states.hpp"
+#include "compare/potential/law/variants.hpp"
+#include "compare/process/provenance.hpp"
 
 namespace validate {
 namespace {
@@ -53,9 +53,13 @@ std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::pa
   const json j = json::parse(in, nullptr, false);
   if (!j.is_object()) return std::nullopt;
   try {
-    return PotentialCard{
-        .potential = potential, .card = j.at("card"), .response = j.at("response"), .lammps = j.at("lammps"),
-        .from_cache = true, .law = {}, .no_law = {}};
+    return PotentialCard{.potential = potential,
+                         .card = j.at("card"),
+                         .response = j.at("response"),
+                         .lammps = j.at("lammps"),
+                         .from_cache = true,
+                         .law = {},
+                         .no_law = {}};
   } catch (const json::exception&) {
     return std::nullopt;
   }
@@ -84,8 +88,8 @@ template <class Take>
 void run_job(const AtomsLaunch& launch, TemporaryFolder& folder, const std::string& name,
              const decltype(atomistic::Job::work)& work, Take&& take) {
   const AtomsJob job{name, {work, (folder.path() / name / "log.lammps").string()}, 1};
-  const auto outcomes =
-      run_jobs(launch, {job}, folder.path(), [&](std::size_t, const atomistic::Event& event) { std::visit(take, event); });
+  const auto outcomes = run_jobs(launch, {job}, folder.path(),
+                                 [&](std::size_t, const atomistic::Event& event) { std::visit(take, event); });
   if (outcomes[0].finished) return;
   if (outcomes[0].fault == atomistic::Fault::bad_input) throw bad_input("{}", outcomes[0].failure);
   folder.keep();
@@ -105,8 +109,8 @@ struct TakeEvents {
 
 std::string card_key(const PotentialFile& file) {
   const atomistic::Potential& p = file.potential;
-  const json key = {card_layout,      version_text(),        p.pair_style,     p.pair_coeff, p.kim_model, p.mass,
-                    p.interaction_range_A, p.artefact_bond_A, file.sha256, file.edit};
+  const json key = {card_layout, version_text(),        p.pair_style,      p.pair_coeff, p.kim_model,
+                    p.mass,      p.interaction_range_A, p.artefact_bond_A, file.sha256,  file.edit};
   return sha256(key.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
@@ -115,7 +119,8 @@ fs::path card_cache() {
     const char* value = std::getenv(name);
     return std::string(value ? value : "");
   };
-  if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty()) return fs::path(cache) / "validate" / "cards";
+  if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty())
+    return fs::path(cache) / "validate" / "cards";
   if (const std::string home = variable("HOME"); !home.empty()) return fs::path(home) / ".cache" / "validate" / "cards";
   return {};
 }
@@ -131,8 +136,10 @@ PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& 
   PotentialCard card{.potential = potential, .card = {}, .response = {}, .lammps = {}, .law = {}, .no_law = {}};
   TemporaryFolder folder;
   run_job(launch, folder, "card", atomistic::CardJob{potential.potential}, TakeEvents{card});
-  run_job(launch, folder, "response", atomistic::ResponseJob{potential.potential, card.card, calibration_strains(card.card.a0_A / std::numbers::sqrt3)},
-          TakeEvents{card});
+  run_job(
+      launch, folder, "response",
+      atomistic::ResponseJob{potential.potential, card.card, calibration_strains(card.card.a0_A / std::numbers::sqrt3)},
+      TakeEvents{card});
   if (!file.empty()) keep(card, file);
   add_law(card);
   return card;

@@ -7,9 +7,9 @@
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
-#include "compare/process/atoms.hpp"
-#include "compare/potential/law/calibrated_law.hpp"
 #include "compare/input/potential_file.hpp"
+#include "compare/potential/law/calibrated_law.hpp"
+#include "compare/process/atoms.hpp"
 
 namespace validate {
 
@@ -17,7 +17,7 @@ struct PotentialCard {
   PotentialFile potential;
   atomistic::Card card;
   atomistic::Response response;
-  std::string lammps;       ///< release that computed it
+  std::string lammps;  ///< release that computed it
   bool from_cache = false;
   std::optional<CalibratedLaw> law;  ///< made from the response's states
   std::string no_law;                ///< why there is none
@@ -32,7 +32,7 @@ std::filesystem::path card_cache();
 /// From the cache unless `refresh`; computed otherwise, in a temporary folder that stays where the atomistic program
 /// fails. A cache that cannot be read or written is no error. Throws Error: bad input for a pair style that LAMMPS
 /// lacks; atomistic failed.
-PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& launch, const std::filesystem::path& cache,
-                             bool refresh);
+PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& launch,
+                             const std::filesystem::path& cache, bool refresh);
 
 }  // namespace validate

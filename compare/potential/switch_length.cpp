@@ -39,8 +39,9 @@ Edit with_value(const std::string& content, const std::string& name, const std::
 
 void check_switch(const PotentialFile& potential, std::string_view label) {
   if (potential.switch_parameter.empty())
-    throw bad_input("{}: the potential '{}' has no switch that can be moved (its description names no switch_parameter)",
-                    label, potential.potential.name);
+    throw bad_input(
+        "{}: the potential '{}' has no switch that can be moved (its description names no switch_parameter)", label,
+        potential.potential.name);
 }
 
 PotentialFile with_switch_at(const PotentialFile& potential, double length_A, const std::filesystem::path& folder,
@@ -49,8 +50,8 @@ PotentialFile with_switch_at(const PotentialFile& potential, double length_A, co
   const std::filesystem::path original = potential.potential.file;
   const Edit edit = with_value(read_file(original, label), potential.switch_parameter, fmt::format("{}", length_A));
   if (edit.places != 1)
-    throw bad_input("{}: '{}' stands {} times in '{}'; once is expected", label, potential.switch_parameter, edit.places,
-                    original.string());
+    throw bad_input("{}: '{}' stands {} times in '{}'; once is expected", label, potential.switch_parameter,
+                    edit.places, original.string());
   const std::filesystem::path copy =
       std::filesystem::absolute(folder) / fmt::format("switched-{}", original.filename().string());
   write_file(copy, edit.content);

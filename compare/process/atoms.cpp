@@ -11,9 +11,9 @@
 #include <list>
 #include <optional>
 
-#include "compare/process/child_process.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/process/child_process.hpp"
 
 namespace validate {
 namespace {
@@ -50,9 +50,9 @@ std::string last_lines(const fs::path& file, std::size_t count) {
 
 /// The last command that LAMMPS echoed into its log.
 std::string last_command(const fs::path& log) {
-  constexpr std::string_view commands[] = {"units", "atom_style", "atom_modify", "boundary", "processors", "region",
-                                           "create_box", "mass", "pair_style", "pair_coeff", "neighbor", "thermo",
-                                           "run", "change_box"};
+  constexpr std::string_view commands[] = {"units",    "atom_style", "atom_modify", "boundary",   "processors",
+                                           "region",   "create_box", "mass",        "pair_style", "pair_coeff",
+                                           "neighbor", "thermo",     "run",         "change_box"};
   std::string last;
   std::ifstream in(log);
   for (std::string line; std::getline(in, line);)

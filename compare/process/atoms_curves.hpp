@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/process/atoms.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/process/atoms.hpp"
 
 namespace validate {
 
@@ -22,11 +22,11 @@ struct AtomsCurve {
   std::optional<atomistic::Report> report;
   std::string failure;  ///< of the program; empty: it came to its end
   ExitCode failure_code = ExitCode::atomistic_failed;
-  std::string lammps;   ///< release
+  std::string lammps;  ///< release
 };
 
-/// Ranks that a curve of this many atoms is worth when `side_by_side` of them share the cores: 1 without mpiexec or under a
-/// launcher of the user's.
+/// Ranks that a curve of this many atoms is worth when `side_by_side` of them share the cores: 1 without mpiexec or
+/// under a launcher of the user's.
 int useful_ranks(const AtomsLaunch& launch, int atoms, int side_by_side);
 
 /// Runs the paths in `work`/<name> with `ranks` each, steps finished earlier taken over. Throws Error (interrupted).

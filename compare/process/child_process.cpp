@@ -68,8 +68,8 @@ struct Pipe {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // mpiexec takes its ranks along
   if (::getppid() != parent) ::_exit(127);
   const int nothing = ::open("/dev/null", O_RDONLY);
-  const bool ready = nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 &&
-                     ::dup2(error_file, 2) >= 0 && ::chdir(folder) == 0;
+  const bool ready = nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 && ::dup2(error_file, 2) >= 0 &&
+                     ::chdir(folder) == 0;
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
   if (ready) ::execve(program, arguments, variables);
@@ -106,8 +106,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
                 fmt::format("'{}' cannot be started: no such program in PATH", command.words.front()));
   std::vector<std::string> words = command.words, variables = environment_for_children();
   std::vector<char*> argument_pointers = pointers(words), variable_pointers = pointers(variables);
-  const int error_file =
-      ::open(command.standard_error.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int error_file = ::open(command.standard_error.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (error_file < 0)
     throw Error(ExitCode::file_failed,
                 fmt::format("cannot write '{}': {}", command.standard_error.string(), std::strerror(errno)));
@@ -163,8 +162,10 @@ std::vector<std::string> ChildProcess::read_lines() {
 ChildEnd ChildProcess::wait() {
   int status = 0;
   while (!end_) {
-    if (::waitpid(pid_, &status, 0) == pid_) end_ = end_of(status);
-    else if (errno != EINTR) end_ = ChildEnd{.exit_code = 127};
+    if (::waitpid(pid_, &status, 0) == pid_)
+      end_ = end_of(status);
+    else if (errno != EINTR)
+      end_ = ChildEnd{.exit_code = 127};
   }
   return *end_;
 }
@@ -176,8 +177,10 @@ ChildEnd ChildProcess::stop() {
     ::kill(-pid_, signal);
     for (int i = 0; i < 50 && !end_; ++i) {
       int status = 0;
-      if (::waitpid(pid_, &status, WNOHANG) == pid_) end_ = end_of(status);
-      else std::this_thread::sleep_for(20ms);
+      if (::waitpid(pid_, &status, WNOHANG) == pid_)
+        end_ = end_of(status);
+      else
+        std::this_thread::sleep_for(20ms);
     }
   }
   ::kill(-pid_, SIGKILL);  // whatever of the group is left

@@ -11,9 +11,9 @@
 namespace validate {
 
 struct ChildCommand {
-  std::vector<std::string> words;       ///< program (searched in PATH) and arguments
-  std::filesystem::path folder;         ///< where it runs
-  std::filesystem::path standard_error; ///< file
+  std::vector<std::string> words;        ///< program (searched in PATH) and arguments
+  std::filesystem::path folder;          ///< where it runs
+  std::filesystem::path standard_error;  ///< file
 };
 
 /// How a child ended.

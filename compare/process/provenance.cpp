@@ -1,18 +1,18 @@
 #include "compare/process/provenance.hpp"
 
-#include <Eigen/Core>
 #include <cholmod.h>
 #include <fmt/core.h>
 #include <gsl/gsl_version.h>
 #include <hdf5.h>
 
+#include <Eigen/Core>
 #include <array>
 #include <fstream>
 #include <iterator>
 
 #include "atomistic/protocol/math_threads.hpp"
-#include "compare/process/child_process.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/process/child_process.hpp"
 #include "git_revision.hpp"
 
 namespace validate {
@@ -82,10 +82,10 @@ std::string command_line() {
 std::string version_text() {
   const Provenance p = provenance({});
   const bool slow_blas = p.blas.find("openblas") == std::string::npos;
-  return fmt::format(
-      "validate {} ({})\nLAMMPS {}\nGSL {}\nHDF5 {}\nSuiteSparse {}\nEigen {}.{}.{}\nBLAS {}{}", p.version, p.git,
-      lammps_in_use(), p.gsl, p.hdf5, p.suitesparse, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-      p.blas, slow_blas ? "  (not OpenBLAS: factorisations take two to three times longer)" : "");
+  return fmt::format("validate {} ({})\nLAMMPS {}\nGSL {}\nHDF5 {}\nSuiteSparse {}\nEigen {}.{}.{}\nBLAS {}{}",
+                     p.version, p.git, lammps_in_use(), p.gsl, p.hdf5, p.suitesparse, EIGEN_WORLD_VERSION,
+                     EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, p.blas,
+                     slow_blas ? "  (not OpenBLAS: factorisations take two to three times longer)" : "");
 }
 
 }  // namespace validate

@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 
 /// What a run leaves in its folder, and so may be replaced by the next one; anything else there is the user's.
 bool is_run_file(const std::string& name) {
-  constexpr std::string_view names[] = {"run.h5",     "curves.csv", "summary.json", "figure.svg",
-                                        "figure.png", "window_scan.svg", "window_scan.png",
-                                        "report.html", "lammps.log", "work"};
+  constexpr std::string_view names[] = {
+      "run.h5",          "curves.csv",      "summary.json", "figure.svg", "figure.png",
+      "window_scan.svg", "window_scan.png", "report.html",  "lammps.log", "work"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
          (name.starts_with("atoms-") && (name.ends_with(".extxyz") || name.ends_with(".data"))) ||
          name.starts_with("switched-");
@@ -51,7 +51,8 @@ fs::path default_folder(const std::string& name, bool resume) {
   int number = 1;
   while (fs::exists(numbered(name, number))) ++number;
   if (!resume) return numbered(name, number);
-  if (number == 1) throw bad_input("--resume: there is no run in '{}'; name its folder with --out", numbered(name, 1).string());
+  if (number == 1)
+    throw bad_input("--resume: there is no run in '{}'; name its folder with --out", numbered(name, 1).string());
   return numbered(name, number - 1);
 }
 
@@ -81,13 +82,13 @@ void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& no
   for (const auto& [key, value] : now.items())
     if (!before.is_object() || !before.contains(key) || before[key] != value)
       changed += (changed.empty() ? "" : ", ") + key;
-  if (!changed.empty())
-    throw bad_input("--resume: the case has changed ({}); run it into a new folder", changed);
+  if (!changed.empty()) throw bad_input("--resume: the case has changed ({}); run it into a new folder", changed);
 }
 
 }  // namespace
 
-RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const nlohmann::ordered_json& identity) {
+RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
+                     const nlohmann::ordered_json& identity) {
   path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume)).lexically_normal();
   if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
   refuse_contents(path_, options);
@@ -95,8 +96,7 @@ RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
   for (fs::path above = path_; !fs::exists(above, error) && above.has_relative_path(); above = above.parent_path())
     first_new_ = above;
   fs::create_directories(path_, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
+  if (error) throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
   lock();
   if (options.resume) {
     refuse_changed_case(work() / "case.json", identity);
@@ -114,8 +114,7 @@ void RunFolder::lock() {
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY);
   if (lock_ < 0)
     throw Error(ExitCode::file_failed, fmt::format("cannot open '{}': {}", path_.string(), std::strerror(errno)));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0)
-    throw bad_input("--out: '{}' is in use by another run", path_.string());
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) throw bad_input("--out: '{}' is in use by another run", path_.string());
 }
 
 void RunFolder::start(const nlohmann::ordered_json& identity) {

@@ -25,10 +25,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> suffixes
 }  // namespace
 
 std::string key(const Field& field) {
-  const auto suffix =
-      std::ranges::find(suffixes, field.unit, &std::pair<std::string_view, std::string_view>::first);
-  if (suffix == suffixes.end())
-    throw std::logic_error("no suffix for the unit '" + std::string(field.unit) + "'");
+  const auto suffix = std::ranges::find(suffixes, field.unit, &std::pair<std::string_view, std::string_view>::first);
+  if (suffix == suffixes.end()) throw std::logic_error("no suffix for the unit '" + std::string(field.unit) + "'");
   std::string name(field.name);
   std::ranges::replace(name, '-', '_');
   return name.append(suffix->second);

@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "compare/base/describe.hpp"
-#include "compare/results/result_fields.hpp"
 #include "compare/base/units.hpp"
+#include "compare/results/result_fields.hpp"
 
 namespace validate {
 

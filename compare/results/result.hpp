@@ -16,12 +16,11 @@ namespace validate {
 
 struct SheetPicture;
 
-enum class Model { membrane, atomistic, sheet };  ///< sheet: a membrane that resists bending
+enum class Model { membrane, atomistic, sheet };                ///< sheet: a membrane that resists bending
 enum class Constants { card, paper, given, calibrated, none };  ///< none: atomistic
 enum class Ended { depth_max, artefact, rupture, not_converged };
 
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
 
 std::string_view to_string(Model);
 std::string_view to_string(Constants);
@@ -49,18 +48,18 @@ struct DirectFit {
 struct Fit {
   double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
   double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
-  double correlation = 0;   ///< of the two parameters
+  double correlation = 0;                  ///< of the two parameters
   std::vector<double> correlation_matrix;  ///< of all parameters, row by row: E·h, pretension, then the offsets
-  double rms_relative = 0;  ///< root mean square residual over the largest force
+  double rms_relative = 0;                 ///< root mean square residual over the largest force
   std::array<double, 2> window_A{};
   int points = 0;
 
   double r_squared = not_known, condition_number = not_known;
   std::array<double, 2> Eh_interval_eV_per_A2{not_known, not_known};          ///< 95 %, profile likelihood
   std::array<double, 2> pretension_interval_eV_per_A2{not_known, not_known};  ///< 95 %, profile likelihood
-  double Eh_bootstrap_eV_per_A2 = not_known;              ///< standard error from refits to drawn residuals
-  double pretension_bootstrap_eV_per_A2 = not_known;      ///< the same
-  std::vector<double> fitted_depth_A, residual_eV_per_A;  ///< the points fitted, force − model
+  double Eh_bootstrap_eV_per_A2 = not_known;                    ///< standard error from refits to drawn residuals
+  double pretension_bootstrap_eV_per_A2 = not_known;            ///< the same
+  std::vector<double> fitted_depth_A, residual_eV_per_A;        ///< the points fitted, force − model
   std::optional<double> depth_offset_A, force_offset_eV_per_A;  ///< where asked for
   std::optional<double> depth_offset_stderr_A, force_offset_stderr_eV_per_A;
 
@@ -108,7 +107,7 @@ struct Run {
 
   // membrane and sheet
   std::vector<int> newton_iterations;
-  int triangles = 0;  ///< 0: solved in one dimension
+  int triangles = 0;                                          ///< 0: solved in one dimension
   std::shared_ptr<const std::vector<SheetPicture>> pictures;  ///< the solved triangles at the last depth, or every one
 
   std::optional<Fit> fit;
@@ -129,7 +128,7 @@ struct CardSummary {
   double C11_eV_per_A2 = not_known, C12_eV_per_A2 = not_known, C66_eV_per_A2 = not_known;
   double Eh_eV_per_A2 = not_known, nu = not_known;
   double bending_modulus_eV = not_known;
-  double isotropy_error = not_known;  ///< C66 / ((C11 − C12)/2) − 1
+  double isotropy_error = not_known;   ///< C66 / ((C11 − C12)/2) − 1
   double artefact_bond_A = not_known;  ///< from this longest bond on, the potential's cut-off makes forces an artefact
 };
 
@@ -137,7 +136,7 @@ struct CardSummary {
 struct LawSummary {
   int degree = 0;
   double rms_misfit = not_known, worst_misfit = not_known;  ///< of the stress
-  double anisotropy = not_known;    ///< left out: largest difference of the stress along zigzag or armchair
+  double anisotropy = not_known;      ///< left out: largest difference of the stress along zigzag or armchair
   double longest_bond_A = not_known;  ///< the law holds up to here
   bool convex = false;                ///< up to there
   double bending_modulus_eV = not_known;
@@ -153,8 +152,8 @@ struct Agreement {
   std::vector<double> depth_A, ratio;  ///< the points judged, F_atoms / F_continuum
 };
 
-/// What makes up the difference between the atoms' force and that of a plain membrane (St Venant–Kirchhoff, nominal radii)
-/// at the same depth: shares of that membrane's force that add up to the whole.
+/// What makes up the difference between the atoms' force and that of a plain membrane (St Venant–Kirchhoff, nominal
+/// radii) at the same depth: shares of that membrane's force that add up to the whole.
 struct Explanation {
   std::string load;
   std::vector<double> depth_A, depth_relative;
@@ -171,16 +170,16 @@ enum class Regime { bending, membrane, softening, artefact };
 
 std::string_view to_string(Regime);
 
-/// One load's atoms against the like-for-like membrane, at every depth that both have. Ratios are atoms / membrane: force
-/// and energy at equal depth, depth at equal force.
+/// One load's atoms against the like-for-like membrane, at every depth that both have. Ratios are atoms / membrane:
+/// force and energy at equal depth, depth at equal force.
 struct Comparison {
   std::string load;
   std::vector<double> depth_A, depth_relative, force_ratio, depth_ratio, energy_ratio;
   std::vector<double> calibrated_membrane_ratio, sheet_ratio;  ///< force over that of the calibrated continua
   std::vector<Regime> regime;
 
-  /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 − tolerance,
-  /// longest bond in the artefact zone.
+  /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 −
+  /// tolerance, longest bond in the artefact zone.
   double bending_to_A = not_known, softening_from_A = not_known, artefact_from_A = not_known;
   double predicted_artefact_from_A = not_known;  ///< by the calibrated sheet's strains
 };
@@ -194,8 +193,8 @@ struct SheetSummary {
 struct Timing {
   double wall_s = not_known, membrane_s = not_known;
   std::optional<double> atomistic_s;
-  std::optional<double> force_s;  ///< inside LAMMPS: pair, neighbour, communication
-  std::optional<double> setup_s;  ///< inside LAMMPS: start, and the first force of each depth with its set-up
+  std::optional<double> force_s;   ///< inside LAMMPS: pair, neighbour, communication
+  std::optional<double> setup_s;   ///< inside LAMMPS: start, and the first force of each depth with its set-up
   std::optional<double> factor_s;  ///< factorising the preconditioner
   std::optional<double> solve_s;   ///< solving with it
   std::optional<long> force_calls;
@@ -221,8 +220,8 @@ struct Result {
   std::string law_missing;  ///< why there is none
   std::vector<Run> runs;
   std::optional<Agreement> agreement;
-  std::string agreement_skipped;  ///< why there is no verdict
-  std::vector<Comparison> comparisons;  ///< one per load that both models computed
+  std::string agreement_skipped;          ///< why there is no verdict
+  std::vector<Comparison> comparisons;    ///< one per load that both models computed
   std::vector<Explanation> explanations;  ///< one per load that has the calibrated sheet
   std::vector<Unloading> unloading;
   Timing timing;

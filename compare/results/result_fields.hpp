@@ -13,20 +13,16 @@ void describe(Self& fit, Visitor&& visit) {
   visit(Field{"Eh", unit::membrane_force, "fitted sheet modulus"}, fit.Eh_eV_per_A2);
   visit(Field{"Eh_stderr", unit::membrane_force, "its standard error"}, fit.Eh_stderr_eV_per_A2);
   visit(Field{"pretension", unit::membrane_force, "fitted pretension"}, fit.pretension_eV_per_A2);
-  visit(Field{"pretension_stderr", unit::membrane_force, "its standard error"},
-        fit.pretension_stderr_eV_per_A2);
+  visit(Field{"pretension_stderr", unit::membrane_force, "its standard error"}, fit.pretension_stderr_eV_per_A2);
   visit(Field{"correlation", unit::none, "correlation of sheet modulus and pretension"}, fit.correlation);
-  visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"},
-        fit.rms_relative);
+  visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"}, fit.rms_relative);
   visit(Field{"window", unit::length, "first and last depth fitted"}, fit.window_A);
   visit(Field{"points", unit::none, "number of points fitted"}, fit.points);
   visit(Field{"correlation_matrix", unit::none, "of all parameters, row by row: E·h, pretension, then the offsets"},
         fit.correlation_matrix);
   visit(Field{"r_squared", unit::none, "share of the forces' scatter that the fit explains"}, fit.r_squared);
-  visit(Field{"condition_number", unit::none, "of the Jacobian with columns of equal length"},
-        fit.condition_number);
-  visit(Field{"Eh_interval", unit::membrane_force, "95 % interval by profile likelihood"},
-        fit.Eh_interval_eV_per_A2);
+  visit(Field{"condition_number", unit::none, "of the Jacobian with columns of equal length"}, fit.condition_number);
+  visit(Field{"Eh_interval", unit::membrane_force, "95 % interval by profile likelihood"}, fit.Eh_interval_eV_per_A2);
   visit(Field{"pretension_interval", unit::membrane_force, "95 % interval by profile likelihood"},
         fit.pretension_interval_eV_per_A2);
   visit(Field{"Eh_bootstrap", unit::membrane_force, "standard error by residual bootstrap"},
@@ -47,14 +43,11 @@ template <class Self, class Visitor>
 requires SameStruct<Self, FitBias>
 void describe(Self& bias, Visitor&& visit) {
   visit(Field{"Eh_true", unit::membrane_force, "sheet modulus of the membrane"}, bias.Eh_true_eV_per_A2);
-  visit(Field{"Eh_read", unit::membrane_force, "what the fit reads from that membrane"},
-        bias.Eh_read_eV_per_A2);
-  visit(Field{"pretension_true", unit::membrane_force, "pretension of the membrane"},
-        bias.pretension_true_eV_per_A2);
+  visit(Field{"Eh_read", unit::membrane_force, "what the fit reads from that membrane"}, bias.Eh_read_eV_per_A2);
+  visit(Field{"pretension_true", unit::membrane_force, "pretension of the membrane"}, bias.pretension_true_eV_per_A2);
   visit(Field{"pretension_read", unit::membrane_force, "what the fit reads from that membrane"},
         bias.pretension_read_eV_per_A2);
-  visit(Field{"Eh_corrected", unit::membrane_force, "fitted sheet modulus × true / read"},
-        bias.Eh_corrected_eV_per_A2);
+  visit(Field{"Eh_corrected", unit::membrane_force, "fitted sheet modulus × true / read"}, bias.Eh_corrected_eV_per_A2);
   visit(Field{"pretension_corrected", unit::membrane_force, "fitted pretension + true − read"},
         bias.pretension_corrected_eV_per_A2);
 }
@@ -64,12 +57,9 @@ requires SameStruct<Self, DirectFit>
 void describe(Self& fit, Visitor&& visit) {
   visit(Field{"Eh", unit::membrane_force, "sheet modulus of the membrane that fits"}, fit.Eh_eV_per_A2);
   visit(Field{"Eh_stderr", unit::membrane_force, "its standard error"}, fit.Eh_stderr_eV_per_A2);
-  visit(Field{"pretension", unit::membrane_force, "pretension of the membrane that fits"},
-        fit.pretension_eV_per_A2);
-  visit(Field{"pretension_stderr", unit::membrane_force, "its standard error"},
-        fit.pretension_stderr_eV_per_A2);
-  visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"},
-        fit.rms_relative);
+  visit(Field{"pretension", unit::membrane_force, "pretension of the membrane that fits"}, fit.pretension_eV_per_A2);
+  visit(Field{"pretension_stderr", unit::membrane_force, "its standard error"}, fit.pretension_stderr_eV_per_A2);
+  visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"}, fit.rms_relative);
 }
 
 template <class Self, class Visitor>
@@ -77,8 +67,7 @@ requires SameStruct<Self, WindowScan>
 void describe_points(Self& scan, Visitor&& visit) {
   visit(Field{"depth_max", unit::length, "largest depth fitted"}, scan.depth_max_A);
   visit(Field{"Eh", unit::membrane_force, "sheet modulus fitted up to there"}, scan.Eh_eV_per_A2);
-  visit(Field{"pretension", unit::membrane_force, "pretension fitted up to there"},
-        scan.pretension_eV_per_A2);
+  visit(Field{"pretension", unit::membrane_force, "pretension fitted up to there"}, scan.pretension_eV_per_A2);
 }
 
 template <class Self, class Visitor>
@@ -100,16 +89,16 @@ void describe(Self& run, Visitor&& visit) {
   visit(Field{"model", unit::none, "membrane, atomistic or sheet (a membrane that resists bending)"}, run.model);
   visit(Field{"load", unit::none, "name of the load"}, run.load);
   if (run.constants != Constants::none) {
-    visit(Field{"constants", unit::none, "where E·h and nu come from: card, paper, given; calibrated: the potential's own law"}, run.constants);
+    visit(Field{"constants", unit::none,
+                "where E·h and nu come from: card, paper, given; calibrated: the potential's own law"},
+          run.constants);
   }
   visit(Field{"a", unit::length, "clamp radius as used"}, run.a_A);
   visit(Field{"tip", unit::length, "radius of the loaded disc or of the sphere as used"}, run.tip_A);
   visit(Field{"Eh", unit::membrane_force, "sheet modulus as used; for atoms the card's"}, run.Eh_eV_per_A2);
   visit(Field{"nu", unit::none, "Poisson's ratio as used; for atoms the card's"}, run.nu);
-  visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"},
-        run.pretension_eV_per_A2);
-  visit(Field{"record_radius", unit::length, "where the depth of record is taken; 0: the centre"},
-        run.record_radius_A);
+  visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"}, run.pretension_eV_per_A2);
+  visit(Field{"record_radius", unit::length, "where the depth of record is taken; 0: the centre"}, run.record_radius_A);
   visit(Field{"ended", unit::none, "how the path ended"}, run.ended);
   visit(Field{"ended_reason", unit::none, "the same in words"}, run.ended_reason);
   if (run.model != Model::atomistic) {
@@ -122,8 +111,7 @@ template <class Self, class Visitor>
 requires SameStruct<Self, Run>
 void describe_points(Self& run, Visitor&& visit) {
   visit(Field{"depth", unit::length, "depth of record"}, run.depth_A);
-  visit(Field{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"},
-        run.conjugate_depth_A);
+  visit(Field{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"}, run.conjugate_depth_A);
   visit(Field{"force", unit::force, "total force on the full sheet"}, run.force_eV_per_A);
   visit(Field{"energy", unit::energy, "energy relative to the flat sheet"}, run.energy_eV);
   visit(Field{"converged", unit::none, "equilibrium reached"}, run.converged);
@@ -136,14 +124,11 @@ void describe_points(Self& run, Visitor&& visit) {
   visit(Field{"longest_bond", unit::length, "longest bond of the sheet"}, run.longest_bond_A);
   visit(Field{"artefact", unit::none, "longest bond in the potential's switching range"}, run.artefact);
   visit(Field{"max_force", unit::force, "largest force left on a free atom"}, run.max_force_eV_per_A);
-  visit(Field{"balance_relative", unit::none, "tip force plus rim reaction, over the force"},
-        run.balance_relative);
+  visit(Field{"balance_relative", unit::none, "tip force plus rim reaction, over the force"}, run.balance_relative);
   visit(Field{"force_error_relative", unit::none, "estimated error of the force, over the force"},
         run.force_error_relative);
-  visit(Field{"force_evaluations", unit::none, "LAMMPS force computations for this depth"},
-        run.force_evaluations);
-  visit(Field{"factorisations", unit::none, "preconditioner factorisations for this depth"},
-        run.factorisations);
+  visit(Field{"force_evaluations", unit::none, "LAMMPS force computations for this depth"}, run.force_evaluations);
+  visit(Field{"factorisations", unit::none, "preconditioner factorisations for this depth"}, run.factorisations);
 }
 
 template <class Self, class Visitor>
@@ -158,7 +143,8 @@ void describe(Self& card, Visitor&& visit) {
   visit(Field{"nu", unit::none, "Poisson's ratio"}, card.nu);
   visit(Field{"bending_modulus", unit::energy, "bending modulus"}, card.bending_modulus_eV);
   visit(Field{"isotropy_error", unit::none, "C66 / ((C11 − C12)/2) − 1"}, card.isotropy_error);
-  visit(Field{"artefact_bond", unit::length, "longest bond from which on forces are an artefact"}, card.artefact_bond_A);
+  visit(Field{"artefact_bond", unit::length, "longest bond from which on forces are an artefact"},
+        card.artefact_bond_A);
 }
 
 template <class Self, class Visitor>
@@ -211,7 +197,8 @@ void describe(Self& comparison, Visitor&& visit) {
         comparison.bending_to_A);
   visit(Field{"softening_from", unit::length, "from this depth the force ratio is below 1 − tolerance"},
         comparison.softening_from_A);
-  visit(Field{"artefact_from", unit::length, "first depth in the potential's artefact zone"}, comparison.artefact_from_A);
+  visit(Field{"artefact_from", unit::length, "first depth in the potential's artefact zone"},
+        comparison.artefact_from_A);
   visit(Field{"predicted_artefact_from", unit::length, "where the calibrated sheet's strains put its beginning"},
         comparison.predicted_artefact_from_A);
 }
@@ -227,7 +214,8 @@ void describe_points(Self& comparison, Visitor&& visit) {
   visit(Field{"energy_ratio", unit::none, "W_atoms / W_membrane at this depth"}, comparison.energy_ratio);
   visit(Field{"calibrated_membrane_ratio", unit::none, "F_atoms / F_calibrated membrane at this depth"},
         comparison.calibrated_membrane_ratio);
-  visit(Field{"sheet_ratio", unit::none, "F_atoms / F_calibrated sheet with bending at this depth"}, comparison.sheet_ratio);
+  visit(Field{"sheet_ratio", unit::none, "F_atoms / F_calibrated sheet with bending at this depth"},
+        comparison.sheet_ratio);
   visit(Field{"regime", unit::none, "bending, membrane, softening or artefact"}, comparison.regime);
 }
 
@@ -256,8 +244,7 @@ template <class Self, class Visitor>
 requires SameStruct<Self, SheetSummary>
 void describe(Self& sheet, Visitor&& visit) {
   visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);
-  visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"},
-        sheet.effective_radius_A);
+  visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"}, sheet.effective_radius_A);
   visit(Field{"atoms", unit::none, "atoms, clamped ring included"}, sheet.atoms);
   visit(Field{"free_atoms", unit::none, "atoms that move"}, sheet.free_atoms);
   visit(Field{"loaded_disc_atoms", unit::none, "atoms that carry the disc load"}, sheet.loaded_disc_atoms);
@@ -274,8 +261,7 @@ void describe(Self& timing, Visitor&& visit) {
   visit(Field{"factor", unit::second, "factorising the preconditioner"}, timing.factor_s);
   visit(Field{"solve", unit::second, "solving with the preconditioner"}, timing.solve_s);
   visit(Field{"force_calls", unit::none, "LAMMPS force computations of all curves"}, timing.force_calls);
-  visit(Field{"force", unit::second, "inside LAMMPS's force computation, summed over curves"},
-        timing.force_s);
+  visit(Field{"force", unit::second, "inside LAMMPS's force computation, summed over curves"}, timing.force_s);
 }
 
 template <class Self, class Visitor>
@@ -285,7 +271,8 @@ void describe(Self& unloading, Visitor&& visit) {
   visit(Field{"hysteresis_relative", unit::none, "work lost there and back, over the work put in"},
         unloading.hysteresis_relative);
   visit(Field{"depth", unit::length, "depth of record on the way back"}, unloading.depth_A);
-  visit(Field{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"}, unloading.conjugate_depth_A);
+  visit(Field{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"},
+        unloading.conjugate_depth_A);
   visit(Field{"force", unit::force, "total force on the full sheet"}, unloading.force_eV_per_A);
 }
 

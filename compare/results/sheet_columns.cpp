@@ -17,8 +17,8 @@ std::vector<double> copy(const Eigen::VectorXd& values) { return {values.begin()
 std::vector<SheetColumn> triangle_columns(const membrane::SheetFields& fields, double thickness_A) {
   SheetColumn state{"state", "", "0 taut, 1 wrinkled, 2 slack", 1, {}};
   SheetColumn strain{"strain", "", "Green-Lagrange strain E11, E22, E12", 3, {}};
-  SheetColumn direction{"direction", "", "unit vector of the larger membrane force in the flat sheet: along the wrinkles",
-                        3, {}};
+  SheetColumn direction{
+      "direction", "", "unit vector of the larger membrane force in the flat sheet: along the wrinkles", 3, {}};
   for (std::size_t t = 0; t < fields.state.size(); ++t) {
     state.values.push_back(static_cast<double>(fields.state[t]));
     strain.values.insert(strain.values.end(), {fields.strain[t][0], fields.strain[t][1], 0.5 * fields.strain[t][2]});
@@ -38,18 +38,17 @@ std::vector<SheetColumn> triangle_columns(const membrane::SheetFields& fields, d
 }
 
 std::vector<SheetTotal> totals_of(const membrane::SheetFields& fields, const membrane::Step& step) {
-  return {
-      {"depth_A", "Å", "depth of record", step.depth_A},
-      {"conjugate_depth_A", "Å", "depth conjugate to the force", step.conjugate_depth_A},
-      {"force_eV_per_A", "eV/Å", "force of the tip on the sheet", step.force_eV_per_A},
-      {"pressure_eV_per_A3", "eV/Å³", "follower pressure towards -z", step.pressure_eV_per_A3},
-      {"support_force_z_eV_per_A", "eV/Å", "force of the supports on the sheet, z component",
-       step.support_force_eV_per_A.z()},
-      {"volume_A3", "Å³", "volume between the sheet and its plane", step.volume_A3},
-      {"energy_eV", "eV", "relaxed energy relative to the flat sheet", step.energy_eV},
-      {"wrinkled_area_fraction", "", "share of the area in uniaxial tension", fields.wrinkled_area_fraction},
-      {"slack_area_fraction", "", "share of the area without tension", fields.slack_area_fraction},
-      {"relative_residual", "", "residual over the load", step.relative_residual}};
+  return {{"depth_A", "Å", "depth of record", step.depth_A},
+          {"conjugate_depth_A", "Å", "depth conjugate to the force", step.conjugate_depth_A},
+          {"force_eV_per_A", "eV/Å", "force of the tip on the sheet", step.force_eV_per_A},
+          {"pressure_eV_per_A3", "eV/Å³", "follower pressure towards -z", step.pressure_eV_per_A3},
+          {"support_force_z_eV_per_A", "eV/Å", "force of the supports on the sheet, z component",
+           step.support_force_eV_per_A.z()},
+          {"volume_A3", "Å³", "volume between the sheet and its plane", step.volume_A3},
+          {"energy_eV", "eV", "relaxed energy relative to the flat sheet", step.energy_eV},
+          {"wrinkled_area_fraction", "", "share of the area in uniaxial tension", fields.wrinkled_area_fraction},
+          {"slack_area_fraction", "", "share of the area without tension", fields.slack_area_fraction},
+          {"relative_residual", "", "residual over the load", step.relative_residual}};
 }
 
 template <class Named>
@@ -69,9 +68,9 @@ SheetPicture picture_of(const membrane::Problem& problem, const membrane::Step& 
   picture.totals = totals_of(fields, step);
   picture.thickness_A = thickness_A;
   picture.displacement = copy(step.displacements);
-  picture.nodes = {{"displacement_A", "Å", "displacement from the flat sheet", 3, picture.displacement},
-                   {"reaction_eV_per_A", "eV/Å", "force of the supports and symmetry planes on the node", 3,
-                    copy(step.reactions)}};
+  picture.nodes = {
+      {"displacement_A", "Å", "displacement from the flat sheet", 3, picture.displacement},
+      {"reaction_eV_per_A", "eV/Å", "force of the supports and symmetry planes on the node", 3, copy(step.reactions)}};
   picture.level = problem.levels[step.level];
   return picture;
 }
@@ -88,9 +87,7 @@ std::vector<SheetPicture> SheetAlbum::pictures() const {
   return pictures;
 }
 
-double total(const std::vector<SheetTotal>& totals, const std::string& key) {
-  return find(totals, key).value;
-}
+double total(const std::vector<SheetTotal>& totals, const std::string& key) { return find(totals, key).value; }
 
 const std::vector<double>& column(const std::vector<SheetColumn>& columns, const std::string& key) {
   return find(columns, key).values;

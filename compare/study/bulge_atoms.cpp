@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "compare/study/curves.hpp"
 #include "compare/pairing/pairing.hpp"
+#include "compare/study/curves.hpp"
 
 namespace validate {
 namespace {
@@ -56,7 +56,8 @@ Profile profile_of(const SheetPicture& picture) {
   for (const Eigen::Vector2d& node : mesh.nodes) size = std::max(size, node.norm());
   for (int n = 0; n < mesh.node_count(); ++n) {
     if (std::abs(mesh.nodes[static_cast<std::size_t>(n)].y()) > 1e-9 * size) continue;
-    const double x = mesh.nodes[static_cast<std::size_t>(n)].x() + picture.displacement[3 * static_cast<std::size_t>(n)];
+    const double x =
+        mesh.nodes[static_cast<std::size_t>(n)].x() + picture.displacement[3 * static_cast<std::size_t>(n)];
     const double z = picture.displacement[3 * static_cast<std::size_t>(n) + 2];
     for (const double side : {1.0, -1.0}) {
       if (side < 0 && (mesh.copies == 1 || x < 1e-9 * size)) continue;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "compare/process/atoms_curves.hpp"
-#include "compare/pairing/bulge_pairing.hpp"
 #include "compare/base/describe.hpp"
-#include "compare/results/sheet_columns.hpp"
+#include "compare/pairing/bulge_pairing.hpp"
+#include "compare/process/atoms_curves.hpp"
 #include "compare/results/result.hpp"
+#include "compare/results/sheet_columns.hpp"
 
 namespace validate {
 
@@ -28,7 +28,8 @@ requires SameStruct<Self, BulgeAtomsPoint>
 void describe(Self& p, Visitor&& visit) {
   visit(Field{"pressure", unit::stress, "follower pressure"}, p.pressure_eV_per_A3);
   visit(Field{"depth", unit::length, "of the atoms at one bond from the axis"}, p.depth_A);
-  visit(Field{"membrane_depth", unit::length, "of the membrane with the potential's constants there"}, p.membrane_depth_A);
+  visit(Field{"membrane_depth", unit::length, "of the membrane with the potential's constants there"},
+        p.membrane_depth_A);
   visit(Field{"depth_ratio", unit::none, "atoms / membrane"}, p.depth_ratio);
   visit(Field{"sheet_depth", unit::length, "of the sheet of the potential's own law that bends; clamped discs only"},
         p.sheet_depth_A);

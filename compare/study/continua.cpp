@@ -6,12 +6,12 @@
 #include <chrono>
 #include <utility>
 
+#include "compare/base/interrupt.hpp"
 #include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
+#include "compare/results/sheet_columns.hpp"
 #include "compare/study/curves.hpp"
 #include "compare/verdict/explanation.hpp"
-#include "compare/base/interrupt.hpp"
-#include "compare/results/sheet_columns.hpp"
 
 namespace validate {
 namespace {
@@ -32,7 +32,8 @@ Anisotropy anisotropy_of(const SheetExperiment& sheet, const CalibratedLaw& law)
   Anisotropy found;
   double deepest = 0;
   for (std::size_t i = 0; i < sheet.run.conjugate_depth_A.size(); ++i)
-    if (sheet.run.longest_bond_A[i] <= longest_calibrated_bond_A) deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
+    if (sheet.run.longest_bond_A[i] <= longest_calibrated_bond_A)
+      deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
   if (!(deepest > 0)) return {};
   for (int i = 1; i <= parts; ++i) found.conjugate_depth_A.push_back(deepest * i / parts);
   found.ratio = anisotropy_ratios(law, sheet.problem.radius_A, disc->radius_A, found.conjugate_depth_A);
@@ -66,11 +67,13 @@ void solve(SheetExperiment& e) {
   const std::vector<double>& bonds = e.run.longest_bond_A;
   if (!report.converged && !left_the_law && !bonds.empty() && bonds.back() >= near_breaking_A) {
     e.run.ended = Ended::rupture;
-    e.run.ended_reason = fmt::format("the law bears no more: no equilibrium beyond a longest bond of {:.2f} Å", bonds.back());
+    e.run.ended_reason =
+        fmt::format("the law bears no more: no equilibrium beyond a longest bond of {:.2f} Å", bonds.back());
   }
   if (!left_the_law) return;
   e.run.ended = Ended::artefact;
-  e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", e.run.longest_bond_A.back());
+  e.run.ended_reason =
+      fmt::format("the longest bond that the strains predict is {:.2f} Å", e.run.longest_bond_A.back());
 }
 
 void Continua::add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet,
@@ -110,7 +113,8 @@ void Continua::collect(Result& result) {
   for (const Calibrated& c : calibrated_) {
     const Run* atoms = atoms_of(result, c.sheet.run.load);
     if (!atoms) continue;
-    auto explanation = explain(*atoms, {&c.stages[0].run, &c.stages[1].run, &c.stages[2].run, &c.sheet.run}, c.anisotropy);
+    auto explanation =
+        explain(*atoms, {&c.stages[0].run, &c.stages[1].run, &c.stages[2].run, &c.sheet.run}, c.anisotropy);
     if (explanation) result.explanations.push_back(std::move(*explanation));
   }
   for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));

@@ -7,23 +7,26 @@
 #include <thread>
 #include <vector>
 
-#include "compare/verdict/explanation.hpp"
 #include "compare/pairing/pairing.hpp"
 #include "compare/results/result.hpp"
+#include "compare/verdict/explanation.hpp"
 
 namespace validate {
 
-/// Solves a curve as far as it goes, or until an interrupt. Keeps the fields of its last converged depth, or of every one.
+/// Solves a curve as far as it goes, or until an interrupt. Keeps the fields of its last converged depth, or of every
+/// one.
 void solve(MembraneExperiment& experiment, bool all_fields = false);
 
-/// The same in one dimension. A law that knows its longest bond ends where the potential's artefact zone is well entered:
-/// beyond, it stands for nothing.
+/// The same in one dimension. A law that knows its longest bond ends where the potential's artefact zone is well
+/// entered: beyond, it stands for nothing.
 void solve(SheetExperiment& experiment);
 
 class Continua {
  public:
   Continua() = default;
-  ~Continua() { if (thread_.joinable()) thread_.join(); }
+  ~Continua() {
+    if (thread_.joinable()) thread_.join();
+  }
   Continua(const Continua&) = delete;
   Continua& operator=(const Continua&) = delete;
 
@@ -57,8 +60,8 @@ class Continua {
   std::thread thread_;
 };
 
-/// Controlled levels with one more before the first and one a little beyond the last: a continuum then covers the atoms'
-/// depths, although a level's depth of record is not the same in both.
+/// Controlled levels with one more before the first and one a little beyond the last: a continuum then covers the
+/// atoms' depths, although a level's depth of record is not the same in both.
 std::vector<double> enclosing(const std::vector<double>& levels);
 
 /// The same with one more between each two: curves that are cheap are known better.

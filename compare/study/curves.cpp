@@ -95,10 +95,18 @@ void close(Run& run, const membrane::axisymmetric::SheetReport& report) {
 
 void close(Run& run, const atomistic::Report& report) {
   switch (report.ended) {
-    case atomistic::Ended::depth_max: run.ended = Ended::depth_max; break;
-    case atomistic::Ended::artefact: run.ended = Ended::artefact; break;
-    case atomistic::Ended::rupture: run.ended = Ended::rupture; break;
-    case atomistic::Ended::not_converged: run.ended = Ended::not_converged; break;
+    case atomistic::Ended::depth_max:
+      run.ended = Ended::depth_max;
+      break;
+    case atomistic::Ended::artefact:
+      run.ended = Ended::artefact;
+      break;
+    case atomistic::Ended::rupture:
+      run.ended = Ended::rupture;
+      break;
+    case atomistic::Ended::not_converged:
+      run.ended = Ended::not_converged;
+      break;
   }
   run.ended_reason = report.reason;
   if (const auto& c = report.contact)

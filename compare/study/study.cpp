@@ -7,18 +7,18 @@
 #include <map>
 
 #include "atomistic/protocol/step_file.hpp"
-#include "compare/verdict/agreement.hpp"
-#include "compare/process/atoms_curves.hpp"
-#include "compare/study/continua.hpp"
-#include "compare/fitting/curve.hpp"
-#include "compare/study/curves.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/fitting/fit_warnings.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/fitting/curve.hpp"
+#include "compare/fitting/fit_warnings.hpp"
+#include "compare/fitting/run_fit.hpp"
 #include "compare/pairing/pairing.hpp"
 #include "compare/potential/potential_card.hpp"
+#include "compare/process/atoms_curves.hpp"
 #include "compare/process/provenance.hpp"
-#include "compare/fitting/run_fit.hpp"
+#include "compare/study/continua.hpp"
+#include "compare/study/curves.hpp"
+#include "compare/verdict/agreement.hpp"
 
 namespace validate {
 namespace {
@@ -33,9 +33,7 @@ void add(Timing& timing, const atomistic::Report& report) {
   timing.solve_s = timing.solve_s.value_or(0) + report.solve_s;
 }
 
-std::vector<double> levels_of(const Case& c) {
-  return c.forces_eV_per_A.empty() ? depth_levels(c) : c.forces_eV_per_A;
-}
+std::vector<double> levels_of(const Case& c) { return c.forces_eV_per_A.empty() ? depth_levels(c) : c.forces_eV_per_A; }
 
 /// Without more levels the order stays: dead loads may be given in any.
 std::vector<double> merged(std::vector<double> levels, const std::vector<double>& more) {
@@ -55,8 +53,8 @@ std::vector<double> grid_levels(double step, double deepest) {
   return levels;
 }
 
-/// For what makes the atoms' ratio of controlled depth and depth of record another one than a membrane's: bending, by 0.2 %
-/// at 110 Å and 1.4 % at 30 Å.
+/// For what makes the atoms' ratio of controlled depth and depth of record another one than a membrane's: bending, by
+/// 0.2 % at 110 Å and 1.4 % at 30 Å.
 double window_margin(double radius_A) { return 0.005 + 0.6 / radius_A; }
 
 /// Controlled depths at which a curve's depth of record is just below lo and just above hi, as far as it reaches.
@@ -72,8 +70,7 @@ std::vector<double> window_ends(const Run& scout, double lo_A, double hi_A, doub
 
 class Study {
  public:
-  Study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
-        Progress& progress)
+  Study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options, Progress& progress)
       : case_(c), potential_(potential), options_(options), progress_(progress) {
     outcome_.result.resolved = c;
     outcome_.result.provenance = provenance(command_line());
@@ -87,8 +84,7 @@ class Study {
       outcome_.result.provenance.potential_edit = potential_->edit;
       if (compute_card()) compare_models();
     } else {
-      for (const std::string& load : case_.loads)
-        continua_.add(given_membrane(case_, load, levels_of(case_)));
+      for (const std::string& load : case_.loads) continua_.add(given_membrane(case_, load, levels_of(case_)));
       compute_curves();
     }
     finish();
@@ -145,8 +141,7 @@ class Study {
           .effective_radius_A = pair_->effective_radius_A(),
           .atoms = pair_->sheet().atoms(),
           .free_atoms = pair_->sheet().free_atoms,
-          .loaded_disc_atoms =
-              static_cast<int>(atomistic::atoms_within(pair_->sheet(), case_.tip_radius_A).size())};
+          .loaded_disc_atoms = static_cast<int>(atomistic::atoms_within(pair_->sheet(), case_.tip_radius_A).size())};
     }
     compute_curves();
   }
@@ -169,8 +164,8 @@ class Study {
                                  potential_->potential.artefact_bond_A);
   }
 
-  /// More controlled depths for the judged load, by the continuum that it is judged against: just below the window's lower
-  /// end, just above its upper one, and those in between that the case's own list leaves out.
+  /// More controlled depths for the judged load, by the continuum that it is judged against: just below the window's
+  /// lower end, just above its upper one, and those in between that the case's own list leaves out.
   std::vector<double> window_levels(const std::string& load) const {
     if (load != case_.judged_load || case_.models != "both" || !case_.forces_eV_per_A.empty()) return {};
     if (case_.against == "sheet") return law_ ? sheet_window_levels(load) : std::vector<double>();
@@ -182,7 +177,8 @@ class Study {
 
   std::vector<double> sheet_window_levels(const std::string& load) const {
     const double step = depth_step_A(case_), a = pair_->effective_radius_A();
-    const double deepest = case_.depth_max_A.value_or(case_.window.back() * a), shallow = 0.5 * case_.window.front() * a;
+    const double deepest = case_.depth_max_A.value_or(case_.window.back() * a),
+                 shallow = 0.5 * case_.window.front() * a;
     // Finer than the atoms' steps: near its end a sheet tears within a step.
     constexpr double parts = 4, margin_A = 0.015;  // the latter of the predicted bond, on the smallest sheets
     SheetExperiment scout = calibrated(load, merged(grid_levels(step / parts, deepest), {shallow}), Model::sheet);
@@ -218,13 +214,13 @@ class Study {
     std::vector<AtomsJob> jobs;
     for (const AtomisticExperiment& e : atoms_) {
       fs::create_directories(steps_folder(e));
-      jobs.push_back({e.run.load,
-                      {atomistic::CurveJob{e.problem, steps_folder(e).string()},
-                       (work() / e.run.load / "log.lammps").string()},
-                      ranks_per_curve()});
+      jobs.push_back(
+          {e.run.load,
+           {atomistic::CurveJob{e.problem, steps_folder(e).string()}, (work() / e.run.load / "log.lammps").string()},
+           ranks_per_curve()});
     }
-    progress_.say(fmt::format("{} atoms, {} curve(s), {} rank(s) each", pair_->sheet().atoms(), jobs.size(),
-                              jobs.front().ranks));
+    progress_.say(
+        fmt::format("{} atoms, {} curve(s), {} rank(s) each", pair_->sheet().atoms(), jobs.size(), jobs.front().ranks));
     std::vector<std::optional<atomistic::Report>> reports(jobs.size());
     const auto outcomes =
         run_jobs(options_.launch, jobs, work(), [&](std::size_t index, const atomistic::Event& event) {
@@ -239,8 +235,7 @@ class Study {
 
   /// The run of a curve is rebuilt from its step files: what a kill or an error leaves is never more than
   /// they hold.
-  void collect(AtomisticExperiment& e, const std::optional<atomistic::Report>& report,
-               const AtomsOutcome& outcome) {
+  void collect(AtomisticExperiment& e, const std::optional<atomistic::Report>& report, const AtomsOutcome& outcome) {
     const std::vector<atomistic::Step> steps = atomistic::read_finished_steps(steps_folder(e));
     for (const atomistic::Step& step : steps)
       if (!step.unloading) append(e.run, step, potential_->potential.artefact_bond_A);
@@ -252,8 +247,7 @@ class Study {
       e.run.ended.reset();
       e.run.ended_reason = outcome.failure;
       if (outcome.fault == atomistic::Fault::file) outcome_.failure_code = ExitCode::file_failed;
-      if (outcome_.failure.empty())
-        outcome_.failure = fmt::format("atoms, {} load: {}", e.run.load, outcome.failure);
+      if (outcome_.failure.empty()) outcome_.failure = fmt::format("atoms, {} load: {}", e.run.load, outcome.failure);
     }
   }
 
@@ -266,9 +260,9 @@ class Study {
     for (const auto& [load, done] : done_) sum += done;
     const double fraction = sum / static_cast<double>(atoms_.size());
     const double left = progress_.elapsed_s() * (1 - fraction) / std::max(fraction, 1e-3);
-    progress_.status(fmt::format(
-        "{} about {:.0f} s left; {}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å", bar(fraction), left,
-        atoms_[index].run.load, event.level + 1, levels.size(), event.evaluations, event.max_force_eV_per_A));
+    progress_.status(fmt::format("{} about {:.0f} s left; {}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å",
+                                 bar(fraction), left, atoms_[index].run.load, event.level + 1, levels.size(),
+                                 event.evaluations, event.max_force_eV_per_A));
   }
 
   void tell(std::size_t index, const atomistic::StepEvent& event) {
@@ -276,10 +270,9 @@ class Study {
     const atomistic::Step step = atomistic::read_step(steps_folder(e) / event.file);
     progress_.say(fmt::format(
         "atoms {:5} {:2}/{}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}",
-        e.run.load, event.level + 1, e.problem.levels.size(), step.depth_A, step.force_eV_per_A,
-        step.evaluations, step.longest_bond_A,
-        step.longest_bond_A >= e.problem.potential.artefact_bond_A - 0.02 ? "  (near the artefact zone)"
-                                                                          : ""));
+        e.run.load, event.level + 1, e.problem.levels.size(), step.depth_A, step.force_eV_per_A, step.evaluations,
+        step.longest_bond_A,
+        step.longest_bond_A >= e.problem.potential.artefact_bond_A - 0.02 ? "  (near the artefact zone)" : ""));
   }
 
   void finish() {
@@ -309,8 +302,8 @@ class Study {
 
 }  // namespace
 
-StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential,
-                       const StudyOptions& options, Progress& progress) {
+StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
+                       Progress& progress) {
   return Study(c, potential, options, progress).run();
 }
 

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "atomistic/lattice/sheet.hpp"
-#include "compare/process/atoms.hpp"
-#include "compare/input/case.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/input/potential_file.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/input/case.hpp"
+#include "compare/input/potential_file.hpp"
+#include "compare/process/atoms.hpp"
 #include "compare/results/result.hpp"
 
 namespace validate {
@@ -26,7 +26,7 @@ struct StudyOptions {
 struct StudyOutcome {
   Result result;
   std::optional<atomistic::Sheet> sheet;  ///< where atoms were asked for
-  std::string failure;  ///< of the atomistic program; empty: none
+  std::string failure;                    ///< of the atomistic program; empty: none
   ExitCode failure_code = ExitCode::atomistic_failed;
 };
 

@@ -55,16 +55,22 @@ Judged judged_points(const Run& atoms, double lo, double hi, double bond_A) {
   const auto above_lo =
       std::ranges::find_if(order, [&](std::size_t i) { return depth(i) > lo * (1 + depth_rounding); });
   if (above_lo == order.begin())
-    return {{}, 0, fmt::format("the atoms' curve begins at depth/a = {:.3f}, the window at {:.3f}",
-                               depth(order.front()) / atoms.a_A, lo / atoms.a_A)};
+    return {{},
+            0,
+            fmt::format("the atoms' curve begins at depth/a = {:.3f}, the window at {:.3f}",
+                        depth(order.front()) / atoms.a_A, lo / atoms.a_A)};
   auto last = std::ranges::find_if(order, [&](std::size_t i) { return depth(i) >= end * (1 - depth_rounding); });
   if (last == order.end() && end < too_long)
-    return {{}, 0, fmt::format("the atoms' curve ends at depth/a = {:.3f} ({}), the window at {:.3f}",
-                               depth(order.back()) / atoms.a_A, to_string(atoms.ended), end / atoms.a_A)};
+    return {{},
+            0,
+            fmt::format("the atoms' curve ends at depth/a = {:.3f} ({}), the window at {:.3f}",
+                        depth(order.back()) / atoms.a_A, to_string(atoms.ended), end / atoms.a_A)};
   if (last != order.end() && depth(*last) < too_long) ++last;
   if (above_lo >= last)
-    return {{}, 0, fmt::format("the atoms' curve has no point between depth/a = {:.3f} and {:.3f}", lo / atoms.a_A,
-                               end / atoms.a_A)};
+    return {{},
+            0,
+            fmt::format("the atoms' curve has no point between depth/a = {:.3f} and {:.3f}", lo / atoms.a_A,
+                        end / atoms.a_A)};
   return {{above_lo - 1, last}, end, {}};
 }
 
@@ -75,9 +81,8 @@ std::string compare_points(const Run& atoms, const std::vector<std::size_t>& poi
     const double depth = atoms.depth_A[i];
     const std::optional<double> force = continuum.at(depth);
     if (!force) {
-      return fmt::format(
-          "the {}'s curve covers depths from {:.2f} to {:.2f} Å, not the atoms' {:.2f} Å", agreement.against,
-          continuum.lowest_A(), continuum.highest_A(), depth);
+      return fmt::format("the {}'s curve covers depths from {:.2f} to {:.2f} Å, not the atoms' {:.2f} Å",
+                         agreement.against, continuum.lowest_A(), continuum.highest_A(), depth);
     }
     const double ratio = atoms.force_eV_per_A[i] / *force;
     agreement.depth_A.push_back(depth);
@@ -88,8 +93,7 @@ std::string compare_points(const Run& atoms, const std::vector<std::size_t>& poi
 }
 
 std::string judge_curves(const Run& atoms, const Run& continuum, double bond_A, Agreement& agreement) {
-  const Judged judged =
-      judged_points(atoms, agreement.window[0] * atoms.a_A, agreement.window[1] * atoms.a_A, bond_A);
+  const Judged judged = judged_points(atoms, agreement.window[0] * atoms.a_A, agreement.window[1] * atoms.a_A, bond_A);
   if (!judged.missing.empty()) return judged.missing;
   agreement.window[1] = judged.end_A / atoms.a_A;
   try {

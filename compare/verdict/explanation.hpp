@@ -9,8 +9,8 @@
 
 namespace validate {
 
-/// The continua between the plain membrane and the atoms, each with one piece of physics more than the one before: nominal
-/// radii, paired radii, bending, the potential's own law.
+/// The continua between the plain membrane and the atoms, each with one piece of physics more than the one before:
+/// nominal radii, paired radii, bending, the potential's own law.
 using Stages = std::array<const Run*, 4>;
 
 /// Force of a sheet with the lattice's directions over that of one without, against the controlled depth.

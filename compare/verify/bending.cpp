@@ -30,8 +30,8 @@ Problem bent_sheet(double modulus, double kappa, Load load, int rings) {
 void plate(Ledger& ledger) {
   constexpr double kappa = 1;
   for (const double c : {0.0, 20.0}) {
-    const double compliance = c == 0 ? a * a / (16 * pi * kappa)
-                                     : (4 * a * a - 4 * c * c * std::log(a / c) - 3 * c * c) / (64 * pi * kappa);
+    const double compliance =
+        c == 0 ? a * a / (16 * pi * kappa) : (4 * a * a - 4 * c * c * std::log(a / c) - 3 * c * c) / (64 * pi * kappa);
     const auto stiffness = [&](int rings) {
       Problem problem = bent_sheet(20, kappa, c == 0 ? Load(PointLoad{}) : Load(DiscLoad{c}), rings);
       problem.levels = {1e-4};
@@ -39,8 +39,8 @@ void plate(Ledger& ledger) {
       return step.force_eV_per_A * compliance / step.depth_A;
     };
     ledger.begin(c == 0 ? "clamped plate, point load" : "clamped plate, disc of a/5");
-    const std::string formula = c == 0 ? "F = 16 pi kappa d/a^2"
-                                       : "d = F (4 a^2 - 4 c^2 ln(a/c) - 3 c^2)/(64 pi kappa)";
+    const std::string formula =
+        c == 0 ? "F = 16 pi kappa d/a^2" : "d = F (4 a^2 - 4 c^2 ln(a/c) - 3 c^2)/(64 pi kappa)";
     ledger.equal("F/(stiffness x depth), 72 graded rings", stiffness(72),
                  closed_form(1, formula + ", Timoshenko & Woinowsky-Krieger, ch. 3"), 0.005);
   }
@@ -84,7 +84,8 @@ void finite(Ledger& ledger) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     ledger.begin(fmt::format("sheet of 100 Å with bending, disc of 10 Å, {:g} Å deep", problem.levels[i]));
     ledger.equal("force, eV/Å", steps[i].force_eV_per_A,
-                 Reference{twins[i].force_eV_per_A, "the one-dimensional sheet: other elements, other curvatures"}, 0.003);
+                 Reference{twins[i].force_eV_per_A, "the one-dimensional sheet: other elements, other curvatures"},
+                 0.003);
     ledger.equal("support force / force", steps[i].support_force_eV_per_A.z() / steps[i].force_eV_per_A,
                  closed_form(1, "balance of forces"), 1e-6);
   }

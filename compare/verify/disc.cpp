@@ -62,10 +62,9 @@ void shallow(Ledger& ledger) {
     ledger.converging("F/(N0 d), centre",
                       on_both(problem, [](const Step& s) { return s.force_eV_per_A / (0.1 * s.depth_A); }),
                       closed_form(2 * pi / (log + 0.5), "2 pi/(ln(a/c) + 1/2)"), 2, 0.01);
-    ledger.converging(
-        "F/(N0 d), conjugate",
-        on_both(problem, [](const Step& s) { return s.force_eV_per_A / (0.1 * s.conjugate_depth_A); }),
-        closed_form(2 * pi / (log + 0.25), "2 pi/(ln(a/c) + 1/4)"), 2, 0.01);
+    ledger.converging("F/(N0 d), conjugate",
+                      on_both(problem, [](const Step& s) { return s.force_eV_per_A / (0.1 * s.conjugate_depth_A); }),
+                      closed_form(2 * pi / (log + 0.25), "2 pi/(ln(a/c) + 1/4)"), 2, 0.01);
   }
 }
 
@@ -90,8 +89,7 @@ void newton(Ledger& ledger) {
   while (r.size() > 3 && r.back() < 1e-11) r.pop_back();
   const auto fall = [&](std::size_t back) { return std::log(r[r.size() - back] / r[r.size() - back - 1]); };
   ledger.begin("Newton's method, disc of 10 A, 20 A deep");
-  ledger.at_least("order of its end", fall(1) / fall(2), closed_form(1.7, "quadratic: 2 in the limit"),
-                  series);
+  ledger.at_least("order of its end", fall(1) / fall(2), closed_form(1.7, "quadratic: 2 in the limit"), series);
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ SmallerStress smaller_cauchy_force(const Problem& problem, const Step& step) {
   SmallerStress range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Triangle& triangle : mesh_of(problem).triangles) {
     const Voigt strain = strain_of(triangle, step.displacements);
-    const Voigt force =
-        std::visit([&](const auto& law) { return cauchy_force(law, strain, Voigt::Zero(), problem.relaxed); },
-                   problem.law);
+    const Voigt force = std::visit(
+        [&](const auto& law) { return cauchy_force(law, strain, Voigt::Zero(), problem.relaxed); }, problem.law);
     const double smaller = principal_forces(force).smaller;
     range.least = std::min(range.least, smaller);
     range.largest = std::max(range.largest, smaller);
@@ -45,10 +44,9 @@ void square(Ledger& ledger, const char* name, Extent extent, const Reference& de
   ledger.equal("centre depth, A", step.depth_A, depth, depth_range / depth.value,
                "the interpenetrating state has 56.45-56.48");
   const SmallerStress at = smaller_cauchy_force(problem, step);
-  ledger.equal("upper end of the smaller stress, eV/A^3", at.largest / thickness_A, stress,
-               stress_range / stress.value, "thickness from plane stress, natural width where wrinkled");
-  ledger.equal("least stress, eV/A^3", std::min(0.0, at.least) / thickness_A,
-               closed_form(0, "no compression"), 1e-12);
+  ledger.equal("upper end of the smaller stress, eV/A^3", at.largest / thickness_A, stress, stress_range / stress.value,
+               "thickness from plane stress, natural width where wrinkled");
+  ledger.equal("least stress, eV/A^3", std::min(0.0, at.least) / thickness_A, closed_form(0, "no compression"), 1e-12);
   ledger.at_most("penetration of symmetry planes / side", step.penetration_A / 220,
                  closed_form(1e-6, "bound set for contact"));
 }
@@ -56,9 +54,8 @@ void square(Ledger& ledger, const char* name, Extent extent, const Reference& de
 }  // namespace
 
 void verify_figure4(Ledger& ledger) {
-  square(ledger, "quarter, 60 x 60 x 2 triangles", Extent::quarter,
-         separate_code(56.31, "quarter with x, y >= 0 kept"), 0.05,
-         separate_code(0.0444, "range 0.0441-0.0447 by stress convention"), 0.0003);
+  square(ledger, "quarter, 60 x 60 x 2 triangles", Extent::quarter, separate_code(56.31, "quarter with x, y >= 0 kept"),
+         0.05, separate_code(0.0444, "range 0.0441-0.0447 by stress convention"), 0.0003);
   square(ledger, "full, 60 x 60 x 2 triangles", Extent::full, separate_code(56.34, "full plate"), 0.1,
          separate_code(0.04385, "range 0.0435-0.0442"), 0.00035);
 }

@@ -33,12 +33,10 @@ struct Differences {
     energy = std::max(energy, std::abs(at.energy_eV_per_A2 - reference.at("W").get<double>()) / E);
     for (int i = 0; i < 3; ++i) {
       force = std::max(force, std::abs(at.force_eV_per_A2[i] - S[i]) / E);
-      for (int j = 0; j < 3; ++j)
-        tangent = std::max(tangent, std::abs(at.tangent_eV_per_A2(i, j) - D[i][j]) / E);
+      for (int j = 0; j < 3; ++j) tangent = std::max(tangent, std::abs(at.tangent_eV_per_A2(i, j) - D[i][j]) / E);
     }
     constexpr std::array names{"taut", "wrinkled", "slack"};
-    if (names[static_cast<int>(sheet_state(law, principal_strains(offset)))] != reference.at("state"))
-      ++states;
+    if (names[static_cast<int>(sheet_state(law, principal_strains(offset)))] != reference.at("state")) ++states;
   }
 };
 

@@ -12,10 +12,10 @@
 #include "compare/verify/law_cases.hpp"
 #include "compare/verify/misprints.hpp"
 #include "compare/verify/taylor.hpp"
-#include "membrane/terms/kinematics.hpp"
 #include "membrane/laws/list.hpp"
 #include "membrane/laws/tension_field.hpp"
 #include "membrane/sheets/mesh.hpp"
+#include "membrane/terms/kinematics.hpp"
 
 namespace validate::verify {
 namespace {
@@ -31,32 +31,31 @@ struct NamedLaw {
 
 CauchyBornTable some_table() {
   CauchyBornTable law{Eh, 0.3645, {-0.2, 0.3, 3}, {0, 0.15, 2}, {}};
-  for (int k = 0; k < law.coefficient_count(); ++k) law.coefficients_eV_per_A2.push_back(-3 + 2 * std::sin(1.7 * k * k));
+  for (int k = 0; k < law.coefficient_count(); ++k)
+    law.coefficients_eV_per_A2.push_back(-3 + 2 * std::sin(1.7 * k * k));
   return law;
 }
 
 std::vector<NamedLaw> laws() {
-  return {
-      {"St Venant-Kirchhoff, nu = 0.19", StVenantKirchhoff{Eh, 0.19}},
-      {"St Venant-Kirchhoff, nu = -0.158", StVenantKirchhoff{Eh, -0.158}},
-      {"neo-Hookean, nu = 0.3", neo_hookean(Eh, 0.3)},
-      {"neo-Hookean, incompressible", neo_hookean(Eh, 0.5)},
-      {"Mooney-Rivlin, nu = 0.3", MooneyRivlin{Eh, 0.3, 0.2}},
-      {"Mooney-Rivlin, incompressible", MooneyRivlin{Eh, 0.5, 0.2}},
-      {"Lee's graphene, nu = 0.165", LeeGraphene{Eh, 0.165, -2 * Eh}},
-      {"Cauchy-Born, nu = 0.3645",
-       CauchyBorn{Eh, 0.3645, {{3, 0, -7}, {1, 2, -15}, {0, 3, 12}, {4, 0, 2}, {2, 2, 10}, {0, 4, -20}}}},
-      {"Cauchy-Born table, nu = 0.3645", some_table()},
-      {"Cauchy-Born sixfold, nu = 0.3645",
-       CauchyBornSixfold{Eh,
-                         0.3645,
-                         0,
-                         {{3, 0, Sixfold::none, -7},
-                          {1, 2, Sixfold::none, -15},
-                          {0, 3, Sixfold::none, 6},
-                          {0, 3, Sixfold::cosine, 4},
-                          {1, 3, Sixfold::knots, -9},
-                          {0, 6, Sixfold::cosine_squared, -25}}}}};
+  return {{"St Venant-Kirchhoff, nu = 0.19", StVenantKirchhoff{Eh, 0.19}},
+          {"St Venant-Kirchhoff, nu = -0.158", StVenantKirchhoff{Eh, -0.158}},
+          {"neo-Hookean, nu = 0.3", neo_hookean(Eh, 0.3)},
+          {"neo-Hookean, incompressible", neo_hookean(Eh, 0.5)},
+          {"Mooney-Rivlin, nu = 0.3", MooneyRivlin{Eh, 0.3, 0.2}},
+          {"Mooney-Rivlin, incompressible", MooneyRivlin{Eh, 0.5, 0.2}},
+          {"Lee's graphene, nu = 0.165", LeeGraphene{Eh, 0.165, -2 * Eh}},
+          {"Cauchy-Born, nu = 0.3645",
+           CauchyBorn{Eh, 0.3645, {{3, 0, -7}, {1, 2, -15}, {0, 3, 12}, {4, 0, 2}, {2, 2, 10}, {0, 4, -20}}}},
+          {"Cauchy-Born table, nu = 0.3645", some_table()},
+          {"Cauchy-Born sixfold, nu = 0.3645", CauchyBornSixfold{Eh,
+                                                                 0.3645,
+                                                                 0,
+                                                                 {{3, 0, Sixfold::none, -7},
+                                                                  {1, 2, Sixfold::none, -15},
+                                                                  {0, 3, Sixfold::none, 6},
+                                                                  {0, 3, Sixfold::cosine, 4},
+                                                                  {1, 3, Sixfold::knots, -9},
+                                                                  {0, 6, Sixfold::cosine_squared, -25}}}}};
 }
 
 /// The same sheet, turned in its plane together with its lattice.
@@ -72,8 +71,7 @@ CauchyBornSixfold turned(CauchyBornSixfold law, double angle) {
 /// Strain with principal values e1, e2, the first at an angle (radians) to x.
 Voigt principal_at(double e1, double e2, double angle) {
   const double mean = 0.5 * (e1 + e2), half = 0.5 * (e1 - e2);
-  return {mean + half * std::cos(2 * angle), mean - half * std::cos(2 * angle),
-          2 * half * std::sin(2 * angle)};
+  return {mean + half * std::cos(2 * angle), mean - half * std::cos(2 * angle), 2 * half * std::sin(2 * angle)};
 }
 
 /// Taut and wrinkled, along and across the axes.
@@ -84,20 +82,17 @@ std::vector<Voigt> states() {
 
 /// The least order over the states: 2 where the derivative is right, 1 where it is not.
 template <class Response>
-void derivative_orders(Ledger& ledger, const std::string& form, Response response,
-                       const std::vector<Voigt>& at) {
+void derivative_orders(Ledger& ledger, const std::string& form, Response response, const std::vector<Voigt>& at) {
   const Voigt v(0.6, -0.3, 0.8);
   constexpr double step = 1e-4, noise = 1e-13 * Eh;
   double of_energy = std::numeric_limits<double>::infinity(), of_force = of_energy;
   for (const Voigt& E : at) {
     const auto here = response(E);
     const auto energy = [&](double t) {
-      return std::abs(response(E + t * v).energy_eV_per_A2 - here.energy_eV_per_A2 -
-                      t * here.force_eV_per_A2.dot(v));
+      return std::abs(response(E + t * v).energy_eV_per_A2 - here.energy_eV_per_A2 - t * here.force_eV_per_A2.dot(v));
     };
     const auto force = [&](double t) -> double {
-      return (response(E + t * v).force_eV_per_A2 - here.force_eV_per_A2 - t * here.tangent_eV_per_A2 * v)
-          .norm();
+      return (response(E + t * v).force_eV_per_A2 - here.force_eV_per_A2 - t * here.tangent_eV_per_A2 * v).norm();
     };
     of_energy = std::min(of_energy, observed_order(energy, 16 * step, 1e-15 * Eh));
     of_force = std::min(of_force, observed_order(force, step, noise));
@@ -105,8 +100,8 @@ void derivative_orders(Ledger& ledger, const std::string& form, Response respons
   const Reference two = closed_form(2, "psi(E + tV) - psi - t S:V = O(t^2)");
   ledger.equal("order of psi's remainder, " + form, of_energy, two, 0.05, "least over the states");
   if (std::isinf(of_force)) return;  // a linear law: the remainder is rounding
-  ledger.equal("order of S's remainder, " + form, of_force,
-               closed_form(2, "S(E + tV) - S - t dS/dE:V = O(t^2)"), 0.05, "least over the states");
+  ledger.equal("order of S's remainder, " + form, of_force, closed_form(2, "S(E + tV) - S - t dS/dE:V = O(t^2)"), 0.05,
+               "least over the states");
 }
 
 /// The largest change of the relaxed energy when the sheet is turned in space after, or in its plane before,
@@ -155,8 +150,7 @@ void verify_law(Ledger& ledger, const L& law) {
 
   constexpr double axial = 0.05;
   const Voigt natural(axial, law.natural_width(axial), 0);
-  ledger.equal("S2 / Eh at the natural width", law(natural).force_eV_per_A2[1] / Eh, closed_form(0, "S2 = 0"),
-               1e-14);
+  ledger.equal("S2 / Eh at the natural width", law(natural).force_eV_per_A2[1] / Eh, closed_form(0, "S2 = 0"), 1e-14);
   const Voigt taut(axial, natural[1] + 0.1 * std::abs(natural[1]), 0);
   ledger.equal("S1 relaxed / S1 unrelaxed, little wider",
                tension_field(law, taut).force_eV_per_A2[0] / law(taut).force_eV_per_A2[0],

@@ -15,16 +15,8 @@ void Ledger::add(Row row) {
   on_row_(rows_.back());
 }
 
-void Ledger::equal(std::string quantity, double computed, Reference reference, double tolerance,
-                   std::string note) {
-  add({{},
-       {},
-       std::move(quantity),
-       computed,
-       std::move(reference),
-       Relation::equal,
-       tolerance,
-       std::move(note)});
+void Ledger::equal(std::string quantity, double computed, Reference reference, double tolerance, std::string note) {
+  add({{}, {}, std::move(quantity), computed, std::move(reference), Relation::equal, tolerance, std::move(note)});
 }
 
 void Ledger::at_most(std::string quantity, double computed, Reference bound, std::string note) {
@@ -35,12 +27,12 @@ void Ledger::at_least(std::string quantity, double computed, Reference bound, st
   add({{}, {}, std::move(quantity), computed, std::move(bound), Relation::at_least, 0, std::move(note)});
 }
 
-void Ledger::converging(const std::string& quantity, const MeshPair& values, const Reference& reference,
-                        double order, double most) {
+void Ledger::converging(const std::string& quantity, const MeshPair& values, const Reference& reference, double order,
+                        double most) {
   constexpr double safety = 1.5;
   constexpr double order_tolerance = 0.3;
-  const double foretold = std::abs(values.fine - values.coarse) / (std::pow(values.refinement, order) - 1) /
-                          std::abs(reference.value);
+  const double foretold =
+      std::abs(values.fine - values.coarse) / (std::pow(values.refinement, order) - 1) / std::abs(reference.value);
   equal(quantity, values.fine, reference, std::min(safety * foretold, most),
         fmt::format("{}; error foretold from both {:.1e}", values.meshes, foretold));
   const double coarse_error = std::abs(values.coarse - reference.value);

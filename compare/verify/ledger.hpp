@@ -26,8 +26,7 @@ class Ledger {
   /// Names what follows; several quantities belong to one case.
   void begin(std::string name) { name_ = std::move(name); }
 
-  void equal(std::string quantity, double computed, Reference reference, double tolerance,
-             std::string note = {});
+  void equal(std::string quantity, double computed, Reference reference, double tolerance, std::string note = {});
   void at_most(std::string quantity, double computed, Reference bound, std::string note = {});
   void at_least(std::string quantity, double computed, Reference bound, std::string note = {});
 
@@ -35,8 +34,8 @@ class Ledger {
   /// values foretell for this order, |fine − coarse| / (refinement^order − 1), and never more than `most`;
   /// and the observed order, log of the ratio of both errors over that of the refinement, which shows that
   /// the foretelling is right.
-  void converging(const std::string& quantity, const MeshPair& values, const Reference& reference,
-                  double order, double most);
+  void converging(const std::string& quantity, const MeshPair& values, const Reference& reference, double order,
+                  double most);
 
   const std::vector<Row>& rows() const { return rows_; }
 

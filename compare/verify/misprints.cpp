@@ -28,16 +28,13 @@ void equation2(Ledger& ledger) {
                closed_form(bar / 8 * (a + b) * (a + b) + mu / 4 * (a * a + b * b),
                            "lb/8 (l1^2+l2^2-2)^2 + mu/4 [(l1^2-1)^2 + (l2^2-1)^2]"),
                1e-13, "corrected");
-  ledger.at_least("|psi - printed| / psi",
-                  std::abs(computed - (bar / 4 * (a + b) + mu / 4 * a * b)) / computed,
+  ledger.at_least("|psi - printed| / psi", std::abs(computed - (bar / 4 * (a + b) + mu / 4 * a * b)) / computed,
                   closed_form(0.1, "lb/4 (l1^2+l2^2-2) + mu/4 (l1^2-1)(l2^2-1) is another"), "printed");
 }
 
 /// The coefficient of the turning term, c1212 of the spatial tangent, from the material one at stretches l1,
 /// l2 along x, y.
-double spatial_shear(const Response& at, double l1, double l2) {
-  return l1 * l2 * at.tangent_eV_per_A2(2, 2);
-}
+double spatial_shear(const Response& at, double l1, double l2) { return l1 * l2 * at.tangent_eV_per_A2(2, 2); }
 
 /// Where both stretches are l: psi,bb - psi,ab in ln(stretch) is l^4 (D11 - D12) + 2 l^2 S, and J = l^2.
 void equation4(Ledger& ledger) {
@@ -64,17 +61,15 @@ void equation12_and_15(Ledger& ledger) {
   const double computed = relaxed(l1, l2).force_eV_per_A2[0];
   ledger.begin("Eq. 12, wrinkled force, prestress 0.12 | 0.05 eV/A^2");
   ledger.equal("S1, eV/A^2", computed,
-               closed_form(E * green(l1) + s1 - nu * s2, "E (l1^2-1)/2 + n1.sp.n1 - nu n2.sp.n2"), 1e-13,
-               "corrected");
+               closed_form(E * green(l1) + s1 - nu * s2, "E (l1^2-1)/2 + n1.sp.n1 - nu n2.sp.n2"), 1e-13, "corrected");
   ledger.at_least("|S1 - printed| / S1", std::abs(computed - (E * green(l1) + s1 + nu * s2)) / computed,
                   closed_form(0.01, "+ nu n2.sp.n2 is another"), "printed");
   ledger.begin("Eq. 15, slack threshold");
   double slack = 0.9, taut = 1.0;  // where the relaxed energy first differs from zero
   while (taut - slack > 1e-14)
     (relaxed(0.5 * (slack + taut), 0.8).energy_eV_per_A2 > 0 ? taut : slack) = 0.5 * (slack + taut);
-  ledger.equal("stretch", slack,
-               closed_form(std::sqrt(1 - 2 * (s1 - nu * s2) / E), "l1^2 = 1 - 2 (s1 - nu s2)/E"), 1e-8,
-               "energy ~ (l1 - threshold)^2: seen to the root of rounding");
+  ledger.equal("stretch", slack, closed_form(std::sqrt(1 - 2 * (s1 - nu * s2) / E), "l1^2 = 1 - 2 (s1 - nu s2)/E"),
+               1e-8, "energy ~ (l1 - threshold)^2: seen to the root of rounding");
 }
 
 void equation13(Ledger& ledger) {
@@ -83,11 +78,10 @@ void equation13(Ledger& ledger) {
   const Response at = tension_field(law, Voigt(Voigt(green(l1), green(l2), 0) + offset));
   const double sigma = l1 * l1 / J * (E * green(l1) + (1 - nu) * sigma_p), d = l1 * l1 - l2 * l2;
   ledger.begin("Eq. 13, turning of wrinkles, prestress 0.12 eV/A^2");
-  ledger.equal("c1212, eV/A^2", spatial_shear(at, l1, l2),
-               closed_form(sigma * l2 * l2 / d, "s11 l2^2/(l1^2 - l2^2)"), 1e-13, "corrected");
+  ledger.equal("c1212, eV/A^2", spatial_shear(at, l1, l2), closed_form(sigma * l2 * l2 / d, "s11 l2^2/(l1^2 - l2^2)"),
+               1e-13, "corrected");
   ledger.at_least("c1212 / printed", spatial_shear(at, l1, l2) / (E * J * J * (l1 * l1 - 1) / (4 * J * d)),
-                  closed_form(2, "E l1^2 l2^2 (l1^2-1)/(4J(l1^2-l2^2)) is half of it, less prestress"),
-                  "printed");
+                  closed_form(2, "E l1^2 l2^2 (l1^2-1)/(4J(l1^2-l2^2)) is half of it, less prestress"), "printed");
 }
 
 }  // namespace

@@ -60,9 +60,7 @@ Eigen::VectorXd affine(const Mesh& mesh, const Gradient& F, Eigen::Index dofs) {
 }
 
 /// Nodes inside a quarter disc: all forces on them balance.
-bool inside(const Mesh& mesh, int n) {
-  return mesh.nodes[n].minCoeff() > 0 && mesh.nodes[n].norm() < 10 * (1 - 1e-9);
-}
+bool inside(const Mesh& mesh, int n) { return mesh.nodes[n].minCoeff() > 0 && mesh.nodes[n].norm() < 10 * (1 - 1e-9); }
 
 void patch(Ledger& ledger, const State& state) {
   const Material material{law, offset_strain(law, prestress), true};
@@ -78,10 +76,8 @@ void patch(Ledger& ledger, const State& state) {
   for (int n = 0; n < mesh.node_count(); ++n)
     if (inside(mesh, n)) unbalanced = std::max(unbalanced, gradient.segment<3>(3 * n).norm());
   ledger.begin(fmt::format("patch test, {}", state.name));
-  ledger.equal("|E - (F^T F - 1)/2|", strain_error, closed_form(0, "affine displacements have one strain"),
-               1e-13);
-  ledger.equal("largest force inside, eV/A", unbalanced, closed_form(0, "uniform stress is in equilibrium"),
-               1e-12);
+  ledger.equal("|E - (F^T F - 1)/2|", strain_error, closed_form(0, "affine displacements have one strain"), 1e-13);
+  ledger.equal("largest force inside, eV/A", unbalanced, closed_form(0, "uniform stress is in equilibrium"), 1e-12);
 }
 
 /// Membrane force of all triangles under an in-plane gradient; they must agree.
@@ -107,8 +103,8 @@ void homogeneous(Ledger& ledger) {
 
   ledger.begin("uniaxial, stretch 1.1 at the natural width");
   const double e = 0.105;  // (1.1² − 1)/2
-  const Principal pulled = uniform_force(
-      ledger, Eigen::Vector2d(1.1, std::sqrt(1 - 2 * nu * e)).asDiagonal().toDenseMatrix(), false);
+  const Principal pulled =
+      uniform_force(ledger, Eigen::Vector2d(1.1, std::sqrt(1 - 2 * nu * e)).asDiagonal().toDenseMatrix(), false);
   ledger.equal("S1/Eh", pulled.larger / Eh, closed_form(e, "(l1^2-1)/2 at l2^2 = 1 - nu (l1^2-1)"), 1e-13);
   const double natural = 1 - 2 * nu * e;  // the square of the other two stretches
   ledger.equal("h sigma1/Eh",
@@ -130,8 +126,7 @@ void slack_threshold(Ledger& ledger) {
   while (taut - slack > 1e-13) (force(0.5 * (slack + taut)) > 0 ? taut : slack) = 0.5 * (slack + taut);
   ledger.begin("slack threshold, prestress 0.12 | 0.05 eV/A^2");
   ledger.equal("stretch", slack,
-               closed_form(std::sqrt(1 - 2 * (s1 - nu * s2) / Eh), "Eq. 15: l1^2 = 1 - 2 (s1 - nu s2)/E"),
-               1e-12);
+               closed_form(std::sqrt(1 - 2 * (s1 - nu * s2) / Eh), "Eq. 15: l1^2 = 1 - 2 (s1 - nu s2)/E"), 1e-12);
 }
 
 /// Solved, not imposed: a strip between two clamps, nu = 0, is in uniaxial tension everywhere.
@@ -193,10 +188,9 @@ void term_orders(Ledger& ledger, const char* name, const Mesh& mesh, EnergyTerm&
   }
   ledger.begin(fmt::format("energy of {}", name));
   const char* where = "least over taut, wrinkled, slack";
-  ledger.equal("order of its remainder", of_energy, closed_form(2, "U(u+tv) - U - t dU.v = O(t^2)"), 0.075,
-               where);
-  ledger.equal("order of the gradient's remainder", of_gradient,
-               closed_form(2, "dU(u+tv) - dU - t H v = O(t^2)"), 0.075, where);
+  ledger.equal("order of its remainder", of_energy, closed_form(2, "U(u+tv) - U - t dU.v = O(t^2)"), 0.075, where);
+  ledger.equal("order of the gradient's remainder", of_gradient, closed_form(2, "dU(u+tv) - dU - t H v = O(t^2)"),
+               0.075, where);
 }
 
 void every_term(Ledger& ledger) {

@@ -50,8 +50,8 @@ void poisson(Ledger& ledger) {
   }
 }
 
-/// dF/dN0 at N0 = 0 over pi d, by a centred difference. At small slopes: 0.05 a deep, finite strain changes it by 2e-4 if
-/// nu = 0.
+/// dF/dN0 at N0 = 0 over pi d, by a centred difference. At small slopes: 0.05 a deep, finite strain changes it by 2e-4
+/// if nu = 0.
 double beta(double nu, int count) {
   constexpr double depth = 0.01 * a, small = 4e-7 * Eh;
   const auto force = [&](double pretension) {
@@ -63,11 +63,8 @@ double beta(double nu, int count) {
 }
 
 void pretension(Ledger& ledger) {
-  for (const auto& [nu, name] : {std::pair{0.0, "nu_0"},
-                                 {0.165, "nu_0.165"},
-                                 {0.19, "nu_0.19"},
-                                 {0.3, "nu_0.3"},
-                                 {1.0 / 3, "nu_1/3"}}) {
+  for (const auto& [nu, name] :
+       {std::pair{0.0, "nu_0"}, {0.165, "nu_0.165"}, {0.19, "nu_0.19"}, {0.3, "nu_0.3"}, {1.0 / 3, "nu_1/3"}}) {
     ledger.begin(fmt::format("beta at nu = {:.3g}", nu));
     ledger.converging("dF/dN0/(pi d)", {beta(nu, rings), beta(nu, 2 * rings), meshes},
                       tabulated(fmt::format("point_beta.{}", name)), 2, 0.01);

@@ -64,8 +64,7 @@ void mylar(Ledger& ledger) {
   ledger.begin("Mylar balloon, sheet in one dimension, pa/Eh = 1e-8");
   const char* note = "strain adds 5e-6 here, 8e-5 at pa/Eh = 1e-6; elements half as long change it by 3e-7";
   ledger.equal("w0/a", last.depth_A / a, tabulated("mylar_height"), 1e-5, note);
-  ledger.equal("inflated radius/a", 1 + last.points.back().displacement_A / a, tabulated("mylar_radius"),
-               1e-5, note);
+  ledger.equal("inflated radius/a", 1 + last.points.back().displacement_A / a, tabulated("mylar_radius"), 1e-5, note);
 }
 
 }  // namespace

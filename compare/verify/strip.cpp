@@ -50,8 +50,7 @@ Problem bent(double band, int cells) {
 double band_of(const Problem& problem, const Step& step) {
   const Mesh mesh = mesh_of(problem);
   const auto force = [&](const Triangle& triangle) {
-    return principal_forces(
-               membrane_force({problem.law, Voigt::Zero(), true}, strain_of(triangle, step.displacements)))
+    return principal_forces(membrane_force({problem.law, Voigt::Zero(), true}, strain_of(triangle, step.displacements)))
         .larger;
   };
   const auto in_middle = [&](const Triangle& triangle) {
@@ -84,14 +83,12 @@ void verify_bent_strip(Ledger& ledger) {
     const Reference band = tabulated(fmt::format("bent_strip_band.M_{}PH", ratio));
     const BentStrip coarse = answer(band.value, cells), fine = answer(band.value, 2 * cells);
     ledger.begin(fmt::format("strip in bending, M = {} PH, nu = 0", ratio));
-    ledger.converging("M/(PH)",
-                      {coarse.moment_over_force, fine.moment_over_force, "20 x 20 and 40 x 40 x 2 triangles"},
+    ledger.converging("M/(PH)", {coarse.moment_over_force, fine.moment_over_force, "20 x 20 and 40 x 40 x 2 triangles"},
                       {std::stod(ratio), band.origin}, 2, 0.03);
-    ledger.equal("band/H", fine.band,
-                 closed_form(3 * fine.moment_over_force - 0.5,
-                             "3M/(PH) - 1/2 (Stein & Hedgepeth 1961), M and P measured"),
-                 0.5 / (2 * cells) / (3 * fine.moment_over_force - 0.5),
-                 "by the states of triangles: half a row of cells");
+    ledger.equal(
+        "band/H", fine.band,
+        closed_form(3 * fine.moment_over_force - 0.5, "3M/(PH) - 1/2 (Stein & Hedgepeth 1961), M and P measured"),
+        0.5 / (2 * cells) / (3 * fine.moment_over_force - 0.5), "by the states of triangles: half a row of cells");
   }
 }
 

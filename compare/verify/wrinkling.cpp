@@ -25,8 +25,7 @@ struct Airbag {
 
   static Problem problem(int cells, bool relaxed) {
     Problem problem;
-    problem.sheet =
-        RectangleSheet{.length_x_A = side_A, .length_y_A = side_A, .cells_x = cells, .cells_y = cells};
+    problem.sheet = RectangleSheet{.length_x_A = side_A, .length_y_A = side_A, .cells_x = cells, .cells_y = cells};
     problem.law = StVenantKirchhoff{1, 0.4};
     problem.relaxed = relaxed;
     problem.load = PressureLoad{};
@@ -58,8 +57,8 @@ void torsion(Ledger& ledger) {
     const double b = std::stod(ratio), angle = 1e-6;  // the torque of 1e-4 is 4e-4 larger
     const auto torque = [&](int refinement) {
       Problem problem;
-      problem.sheet = AnnulusSheet{
-          .hub_radius_A = 10, .radius_A = 10 * b, .rings = 16 * refinement, .around = 80 * refinement};
+      problem.sheet =
+          AnnulusSheet{.hub_radius_A = 10, .radius_A = 10 * b, .rings = 16 * refinement, .around = 80 * refinement};
       problem.law = StVenantKirchhoff{1, 0};
       problem.load = EdgeMotion{.edge = Edge::hub, .rotation_rad = angle};
       problem.levels = {1};

@@ -21,8 +21,8 @@ double line_search(double slope, Attempt attempt) {
   constexpr double armijo = 1e-4, shortest = 1e-9;
   for (double length = 1; length > shortest;) {
     const Trial at = attempt(length);
-    const bool down = std::abs(at.change) > at.noise ? at.change <= armijo * length * slope
-                                                     : at.slope <= 0.9 * std::abs(slope);
+    const bool down =
+        std::abs(at.change) > at.noise ? at.change <= armijo * length * slope : at.slope <= 0.9 * std::abs(slope);
     if (down) return length;
     const double parabola = -0.5 * slope * length * length / (at.change - slope * length);
     length = std::isfinite(parabola) ? std::clamp(parabola, 0.1 * length, 0.5 * length) : 0.1 * length;

@@ -55,8 +55,7 @@ void Bending::find_edges(const std::function<SlopeSupport(int, int)>& slope) {
 /// ½ A [κ (tr K)² + 2 κG det K] = ½ φ·Q φ, Q_ij = [(κ + κG) l_i l_j − κG l_i l_j (m_i·m_j)²]/A.
 void Bending::set_stiffness(Triangle& triangle, BendingModuli moduli) const {
   std::array<Eigen::Vector2d, 3> e;
-  for (int i = 0; i < 3; ++i)
-    e[i] = nodes_[triangle.nodes[(i + 2) % 3]] - nodes_[triangle.nodes[(i + 1) % 3]];
+  for (int i = 0; i < 3; ++i) e[i] = nodes_[triangle.nodes[(i + 2) % 3]] - nodes_[triangle.nodes[(i + 1) % 3]];
   const double area = 0.5 * (e[0][0] * e[1][1] - e[0][1] * e[1][0]);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
@@ -112,8 +111,8 @@ Eigen::Vector3d Bending::moments(const Triangle& triangle, const std::vector<dou
   return triangle.stiffness * phi;
 }
 
-double Bending::add_gradient(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations,
-                             Eigen::VectorXd& by_u, Eigen::VectorXd& by_rotations) const {
+double Bending::add_gradient(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations, Eigen::VectorXd& by_u,
+                             Eigen::VectorXd& by_rotations) const {
   const std::vector<double> fold = folds(u);
   std::vector<double> on_fold(edges_.size(), 0);
   double energy = 0;
@@ -187,8 +186,8 @@ Bending::Part Bending::fold_part(const Edge& edge, const Hinge& hinge, double mo
           moment * hinge.hessian.topLeftCorner(3 * corners, 3 * corners)};
 }
 
-void Bending::over_hessian(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations,
-                           const Visit& of_triangle, const Visit& of_fold) const {
+void Bending::over_hessian(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations, const Visit& of_triangle,
+                           const Visit& of_fold) const {
   std::vector<Hinge> hinges;
   hinges.reserve(edges_.size());
   for (const Edge& edge : edges_) hinges.push_back(hinge_of(edge, u));
@@ -196,8 +195,7 @@ void Bending::over_hessian(const Eigen::VectorXd& u, const Eigen::VectorXd& rota
   std::vector<double> on_fold(edges_.size(), 0);
   for (const Triangle& triangle : triangles_) {
     const Eigen::Vector3d moment = moments(triangle, fold, rotations);
-    for (int i = 0; i < 3; ++i)
-      on_fold[triangle.edges[i]] += fold_share(edges_[triangle.edges[i]].kind) * moment[i];
+    for (int i = 0; i < 3; ++i) on_fold[triangle.edges[i]] += fold_share(edges_[triangle.edges[i]].kind) * moment[i];
     of_triangle(triangle_part(triangle, hinges));
   }
   for (std::size_t e = 0; e < edges_.size(); ++e)

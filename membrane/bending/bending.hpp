@@ -36,9 +36,7 @@ class Bending {
   /// One an edge; those of held edges have no effect.
   int rotation_count() const { return static_cast<int>(edges_.size()); }
   bool rotation_is_held(int rotation) const { return edges_[rotation].kind == Kind::held; }
-  std::array<int, 2> ends(int rotation) const {
-    return {edges_[rotation].nodes[0], edges_[rotation].nodes[1]};
-  }
+  std::array<int, 2> ends(int rotation) const { return {edges_[rotation].nodes[0], edges_[rotation].nodes[1]}; }
 
   /// Energy (eV); adds its derivatives by displacements u (three a node, Å) and rotations (one an edge).
   double add_gradient(const Eigen::VectorXd& u, const Eigen::VectorXd& rotations, Eigen::VectorXd& by_u,

@@ -48,8 +48,8 @@ struct WingRates {
     const double length = std::sqrt(e2);
     along = (at.v.transpose() * de + at.e.transpose() * dv - 2 * at.along * at.e.transpose() * de) / e2;
     const Rows dN = side * (cross_with(at.e) * dv - cross_with(at.v) * de);
-    slope = -length / N2 * (dN - 2 / N2 * at.N * (at.N.transpose() * dN)) -
-            at.N / N2 * (at.e.transpose() * de) / length;
+    slope =
+        -length / N2 * (dN - 2 / N2 * at.N * (at.N.transpose() * dN)) - at.N / N2 * (at.e.transpose() * de) / length;
   }
 };
 

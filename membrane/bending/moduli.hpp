@@ -5,9 +5,8 @@ namespace membrane {
 
 /// ½ κ (κ1 + κ2)² + κG κ1 κ2 per reference area, κ1 and κ2 the principal curvatures.
 struct BendingModuli {
-  double mean_eV = 0;  ///< κ > 0
-  double gaussian_eV =
-      0;  ///< κG in (−2 κ, 0): outside the energy has no lower bound. No effect on a clamped sheet
+  double mean_eV = 0;      ///< κ > 0
+  double gaussian_eV = 0;  ///< κG in (−2 κ, 0): outside the energy has no lower bound. No effect on a clamped sheet
 
   /// Throws std::invalid_argument for a sheet that is not stable.
   void check() const;

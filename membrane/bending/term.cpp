@@ -21,9 +21,7 @@ SlopeSupport support_of(const Mesh& mesh, int a, int b) {
   for (int component : {0, 1})
     if (mesh.mirrored[component] && mesh.nodes[a][component] == 0 && mesh.nodes[b][component] == 0)
       return SlopeSupport::held;
-  const auto clamped = [&](int node) {
-    return mesh.held[node][0] && mesh.held[node][1] && mesh.held[node][2];
-  };
+  const auto clamped = [&](int node) { return mesh.held[node][0] && mesh.held[node][1] && mesh.held[node][2]; };
   return clamped(a) && clamped(b) ? SlopeSupport::held : SlopeSupport::free;
 }
 
@@ -87,8 +85,7 @@ BendingTerm::Blocks BendingTerm::blocks(const Bending::Part& part) const {
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(blocks.nodes.size());
   blocks.k = Eigen::MatrixXd::Zero(size, size);
   for (Eigen::Index i = 0; i < part.k.rows(); ++i)
-    for (Eigen::Index j = 0; j < part.k.cols(); ++j)
-      blocks.k(place[i], place[j]) = scale[i] * scale[j] * part.k(i, j);
+    for (Eigen::Index j = 0; j < part.k.cols(); ++j) blocks.k(place[i], place[j]) = scale[i] * scale[j] * part.k(i, j);
   return blocks;
 }
 

@@ -29,13 +29,9 @@ InvariantEnergy CauchyBorn::energy(double I, double q) const {
 
 Response CauchyBorn::operator()(const Voigt& strain) const { return isotropic_response(*this, strain); }
 
-double CauchyBorn::natural_width(double axial_strain) const {
-  return solve_natural_width(*this, axial_strain);
-}
+double CauchyBorn::natural_width(double axial_strain) const { return solve_natural_width(*this, axial_strain); }
 
-UniaxialResponse CauchyBorn::uniaxial(double axial_strain) const {
-  return uniaxial_response(*this, axial_strain);
-}
+UniaxialResponse CauchyBorn::uniaxial(double axial_strain) const { return uniaxial_response(*this, axial_strain); }
 
 void CauchyBorn::check() const {
   if (!(sheet_modulus_eV_per_A2 > 0) || !std::isfinite(sheet_modulus_eV_per_A2))
@@ -44,8 +40,7 @@ void CauchyBorn::check() const {
   for (const auto& [a, b, c] : terms) {
     if (a < 0 || b < 0 || a + b < 3 || a + b > highest_degree)
       refuse("law.terms", a + b, "the degree a + b of a term must lie between 3 and 8, a and b not negative");
-    if (b == 1)
-      refuse("law.terms", b, "no term may be linear in q: the sheet at rest would have no stress zero");
+    if (b == 1) refuse("law.terms", b, "no term may be linear in q: the sheet at rest would have no stress zero");
     if (!std::isfinite(c)) refuse("law.terms", c, "every coefficient must be finite");
   }
 }

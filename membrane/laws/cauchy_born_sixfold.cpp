@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "membrane/laws/principal.hpp"
 #include "membrane/base/refusal.hpp"
+#include "membrane/laws/principal.hpp"
 
 namespace membrane {
 namespace {
@@ -30,10 +30,7 @@ AngularFunction angular_function(Sixfold kind, double cosine, double sine) {
   }
   AngularFunction sum;
   for (int k = 0; k < 3; ++k) {
-    const double turn_c = k == 0 ? 1 : -0.5, turn_s = (k == 0   ? 0
-                                                       : k == 1 ? 0.5
-                                                                : -0.5) *
-                                                      std::numbers::sqrt3;
+    const double turn_c = k == 0 ? 1 : -0.5, turn_s = (k == 0 ? 0 : k == 1 ? 0.5 : -0.5) * std::numbers::sqrt3;
     const double c = cosine * turn_c - sine * turn_s, s = sine * turn_c + cosine * turn_s;
     sum.value += std::abs(c) * c * c;
     sum.first -= 3 * std::abs(c) * c * s;
@@ -62,8 +59,7 @@ Polar derivatives(const CauchyBornSixfold& law, double I, double q, double cosin
   Polar sum{0.5 * (area * I * I + shear * q * q), area * I, shear * q, 0, area, 0, 0, shear, 0, shear};
   for (const auto& [a, b, angle, c] : law.terms) {
     const AngularFunction f = angular_function(angle, cosine, sine);
-    const double I0 = c * I_to[a], I1 = a > 0 ? c * a * I_to[a - 1] : 0,
-                 I2 = a > 1 ? c * a * (a - 1) * I_to[a - 2] : 0;
+    const double I0 = c * I_to[a], I1 = a > 0 ? c * a * I_to[a - 1] : 0, I2 = a > 1 ? c * a * (a - 1) * I_to[a - 2] : 0;
     sum.W += I0 * q_to[b] * f.value;
     sum.I += I1 * q_to[b] * f.value;
     sum.II += I2 * q_to[b] * f.value;
@@ -99,8 +95,8 @@ Response CauchyBornSixfold::operator()(const Voigt& strain) const {
   response.energy_eV_per_A2 = polar.W;
   response.force_eV_per_A2 = polar.I * one + polar.n * n + polar.m * m;
   response.tangent_eV_per_A2 = polar.II * one * one.transpose() + polar.nn * n * n.transpose() +
-                               polar.mm * m * m.transpose() + polar.In * both(one, n) +
-                               polar.Im * both(one, m) + polar.nm * both(n, m);
+                               polar.mm * m * m.transpose() + polar.In * both(one, n) + polar.Im * both(one, m) +
+                               polar.nm * both(n, m);
   return response;
 }
 
@@ -128,8 +124,7 @@ void CauchyBornSixfold::check() const {
   for (const auto& [a, b, angle, c] : terms) {
     if (a < 0 || b < 0 || a + b < 3 || a + b > highest_degree)
       refuse("law.terms", a + b, "the degree a + b of a term must lie between 3 and 8, a and b not negative");
-    if (b == 1)
-      refuse("law.terms", b, "no term may be linear in q: the sheet at rest would have no stress zero");
+    if (b == 1) refuse("law.terms", b, "no term may be linear in q: the sheet at rest would have no stress zero");
     if (angle != Sixfold::none && b < 3)
       refuse("law.terms", b,
              "a term with an angle needs b of 3 or more: a hexagonal lattice is isotropic to second order");

@@ -14,8 +14,8 @@ enum class Sixfold {
   none,            ///< 1
   cosine,          ///< cos 6θ; q³ cos 6θ = Re d³ is the invariant of lowest order
   cosine_squared,  ///< cos² 6θ; q⁶ cos² 6θ = (Re d³)²
-  knots,  ///< Σ |cos(2θ + 2πk/3)|³, k = 0, 1, 2; times q³ it is Σ |Re(d e^{2πik/3})|³, of a bond-order
-          ///< potential's knots at the undeformed angles
+  knots,           ///< Σ |cos(2θ + 2πk/3)|³, k = 0, 1, 2; times q³ it is Σ |Re(d e^{2πik/3})|³, of a bond-order
+                   ///< potential's knots at the undeformed angles
 };
 
 /// c I^a q^b f(θ).

@@ -16,8 +16,7 @@ InvariantEnergy CauchyBornTable::energy(double trace, double shear) const {
     G[0] += c[0] * i.value[m], G[1] += c[0] * i.slope[m], G[2] += c[0] * i.bend[m];
     const double a = c[I.size()];
     A[0] += a * i.value[m], A[1] += a * i.slope[m], A[2] += a * i.bend[m];
-    const double* const row =
-        coefficients_eV_per_A2.data() + 2 * I.size() + (i.first + m) * q.size() + j.first;
+    const double* const row = coefficients_eV_per_A2.data() + 2 * I.size() + (i.first + m) * q.size() + j.first;
     double along = 0, along_q = 0, along_qq = 0;
     for (int n = 0; n < 4; ++n)
       along += row[n] * j.value[n], along_q += row[n] * j.slope[n], along_qq += row[n] * j.bend[n];
@@ -37,13 +36,9 @@ InvariantEnergy CauchyBornTable::energy(double trace, double shear) const {
 
 Response CauchyBornTable::operator()(const Voigt& strain) const { return isotropic_response(*this, strain); }
 
-double CauchyBornTable::natural_width(double axial_strain) const {
-  return solve_natural_width(*this, axial_strain);
-}
+double CauchyBornTable::natural_width(double axial_strain) const { return solve_natural_width(*this, axial_strain); }
 
-UniaxialResponse CauchyBornTable::uniaxial(double axial_strain) const {
-  return uniaxial_response(*this, axial_strain);
-}
+UniaxialResponse CauchyBornTable::uniaxial(double axial_strain) const { return uniaxial_response(*this, axial_strain); }
 
 void CauchyBornTable::check() const {
   if (!(sheet_modulus_eV_per_A2 > 0) || !std::isfinite(sheet_modulus_eV_per_A2))

@@ -55,9 +55,7 @@ Voigt Wrinkles::turning() const {
 
 Voigt Wrinkles::bending() const { return 2 * (Voigt(1, 1, 0) - 2 * across()); }
 
-Voigt Wrinkles::strain() const {
-  return state == SheetState::wrinkled ? Voigt(hidden * across()) : Voigt::Zero();
-}
+Voigt Wrinkles::strain() const { return state == SheetState::wrinkled ? Voigt(hidden * across()) : Voigt::Zero(); }
 
 template <DirectionalLaw L>
 Wrinkles wrinkles_of(const L& law, const Voigt& strain) {

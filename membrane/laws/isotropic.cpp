@@ -10,9 +10,9 @@ Response isotropic_response(const InvariantEnergy& energy, const Principal& stra
   Response response;
   response.energy_eV_per_A2 = energy.W;
   response.force_eV_per_A2 = energy.W_I * one + 0.5 * q * energy.W_q_over_q * n;
-  response.tangent_eV_per_A2 =
-      energy.W_II * one * one.transpose() + 0.5 * energy.W_Iq * (one * n.transpose() + n * one.transpose()) +
-      0.25 * energy.W_qq * n * n.transpose() + 0.25 * energy.W_q_over_q * m * m.transpose();
+  response.tangent_eV_per_A2 = energy.W_II * one * one.transpose() +
+                               0.5 * energy.W_Iq * (one * n.transpose() + n * one.transpose()) +
+                               0.25 * energy.W_qq * n * n.transpose() + 0.25 * energy.W_q_over_q * m * m.transpose();
   return response;
 }
 

@@ -13,8 +13,7 @@
 namespace membrane {
 
 /// Neo-Hookean is Mooney–Rivlin without its second term: neo_hookean() makes it.
-using Law = std::variant<StVenantKirchhoff, MooneyRivlin, LeeGraphene, CauchyBorn, CauchyBornTable,
-                         CauchyBornSixfold>;
+using Law = std::variant<StVenantKirchhoff, MooneyRivlin, LeeGraphene, CauchyBorn, CauchyBornTable, CauchyBornSixfold>;
 
 /// Whether a law is the same from every direction.
 bool is_isotropic(const Law& law);

@@ -57,8 +57,7 @@ InvariantEnergy MooneyRivlin::energy(double I, double q) const {
   const double second = I + swell + I * swell;         // (A lambda3² − 2)/2
   const double lift = mu1 * swell + 2 * mu2 * second;  // −Λ ln J
   InvariantEnergy at;
-  at.W =
-      0.5 * mu1 * (2 * I + swell) + 0.5 * mu2 * (grown + 2 * second) - (mu1 + 2 * mu2 + 0.5 * lift) * log_J;
+  at.W = 0.5 * mu1 * (2 * I + swell) + 0.5 * mu2 * (grown + 2 * second) - (mu1 + 2 * mu2 + 0.5 * lift) * log_J;
   at.W_I = 2 * W_A + W_L * L_I;
   at.W_q_over_q = W_L * L_q_over_q;
   at.W_II = 4 * W_AA + 4 * W_AL * L_I + W_LL * L_I * L_I + W_L * L_II;
@@ -69,13 +68,9 @@ InvariantEnergy MooneyRivlin::energy(double I, double q) const {
 
 Response MooneyRivlin::operator()(const Voigt& strain) const { return isotropic_response(*this, strain); }
 
-double MooneyRivlin::natural_width(double axial_strain) const {
-  return solve_natural_width(*this, axial_strain);
-}
+double MooneyRivlin::natural_width(double axial_strain) const { return solve_natural_width(*this, axial_strain); }
 
-UniaxialResponse MooneyRivlin::uniaxial(double axial_strain) const {
-  return uniaxial_response(*this, axial_strain);
-}
+UniaxialResponse MooneyRivlin::uniaxial(double axial_strain) const { return uniaxial_response(*this, axial_strain); }
 
 double MooneyRivlin::thickness_stretch(const Voigt& strain) const {
   const double I = strain[0] + strain[1];

@@ -34,8 +34,6 @@ struct MooneyRivlin {
 static_assert(IsotropicLaw<MooneyRivlin>);
 
 /// S = µ (1 − lambda3² C⁻¹).
-inline MooneyRivlin neo_hookean(double sheet_modulus_eV_per_A2, double nu) {
-  return {sheet_modulus_eV_per_A2, nu, 0};
-}
+inline MooneyRivlin neo_hookean(double sheet_modulus_eV_per_A2, double nu) { return {sheet_modulus_eV_per_A2, nu, 0}; }
 
 }  // namespace membrane

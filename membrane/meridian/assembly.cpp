@@ -19,7 +19,7 @@ constexpr std::array<Gauss, 4> gauss{{{0.06943184420297371, 0.17392742256872693}
                                       {0.66999052179242813, 0.32607257743127307},
                                       {0.93056815579702629, 0.17392742256872693}}};
 
-constexpr double watched_share = 2;  // of the sphere's radius: no sheet is drawn in so far
+constexpr double watched_share = 2;        // of the sphere's radius: no sheet is drawn in so far
 constexpr double boundary_share = 0.99;    // of a gap or pressure that a step may take
 constexpr double farthest_pressure = 1e4;  // from what the barrier has across the gap
 
@@ -103,8 +103,7 @@ double Assembly::magnitude() const {
   return sum;
 }
 
-void Assembly::add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density,
-                   BlockTridiagonal& K) {
+void Assembly::add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density, BlockTridiagonal& K) {
   const Interpolation right = point.ring.area_A2 * density * point.B;
   const ElementMatrix k = point.B.transpose() * right;
   K.diagonal[point.element] += k.topLeftCorner<dofs_per_node, dofs_per_node>();
@@ -163,8 +162,7 @@ LocalState Assembly::state_at(double radius, const Eigen::VectorXd& x) const {
   const auto above = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, radius);
   const int e = static_cast<int>(above - nodes_.begin()) - 1;
   const double length = nodes_[e + 1] - nodes_[e];
-  return interpolation(length, (radius - nodes_[e]) / length) *
-         x.segment<2 * dofs_per_node>(dofs_per_node * e);
+  return interpolation(length, (radius - nodes_[e]) / length) * x.segment<2 * dofs_per_node>(dofs_per_node * e);
 }
 
 }  // namespace membrane::axisymmetric

@@ -92,8 +92,7 @@ class Assembly {
   LocalState state(const QuadraturePoint& point, const Eigen::VectorXd& x) const {
     return point.B * x.segment<2 * dofs_per_node>(dofs_per_node * point.element);
   }
-  static void add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density,
-                  BlockTridiagonal& K);
+  static void add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 6>& density, BlockTridiagonal& K);
 
   std::vector<double> nodes_;
   std::vector<int> held_;
@@ -101,7 +100,8 @@ class Assembly {
   std::optional<SphereContact> contact_;
   /// Where the contact acts: nowhere without a barrier.
   std::span<const QuadraturePoint> pressed() const {
-    return contact_ && contact_->barrier_eV_per_A2 > 0 ? std::span(contact_points_) : std::span<const QuadraturePoint>();
+    return contact_ && contact_->barrier_eV_per_A2 > 0 ? std::span(contact_points_)
+                                                       : std::span<const QuadraturePoint>();
   }
 
   std::vector<QuadraturePoint> points_, contact_points_;

@@ -5,8 +5,7 @@
 namespace membrane::axisymmetric {
 namespace {
 
-constexpr double slack_share =
-    1e-8;  // of the largest diagonal: nodes of a slack sheet have no stiffness at all
+constexpr double slack_share = 1e-8;  // of the largest diagonal: nodes of a slack sheet have no stiffness at all
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 // What makes a round sheet's problem unsolvable before anything is computed.
 #include <cmath>
 
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/base/refusal.hpp"
+#include "membrane/meridian/sheet.hpp"
 
 namespace membrane::axisymmetric {
 namespace {

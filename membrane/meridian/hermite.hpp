@@ -22,8 +22,7 @@ inline Interpolation interpolation(double length, double t) {
   h << 1 - t * t * (3 - 2 * t), length * t * (1 - t) * (1 - t), t * t * (3 - 2 * t),
       length * t * t * (t - 1),                                                                     //
       -6 * t * (1 - t) / length, (1 - t) * (1 - 3 * t), 6 * t * (1 - t) / length, t * (3 * t - 2),  //
-      (12 * t - 6) / (length * length), (6 * t - 4) / length, (6 - 12 * t) / (length * length),
-      (6 * t - 2) / length;
+      (12 * t - 6) / (length * length), (6 * t - 4) / length, (6 - 12 * t) / (length * length), (6 * t - 2) / length;
   Interpolation B = Interpolation::Zero();
   for (int node = 0; node < 2; ++node) {
     B.block<3, 2>(U, dofs_per_node * node) = h.middleCols<2>(2 * node);

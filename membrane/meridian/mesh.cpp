@@ -10,10 +10,10 @@ constexpr double growth = 0.3;
 constexpr double largest_share = 1.0 / 40;  // of the radius
 constexpr double under_load = 1.0 / 10;     // of the load's radius
 constexpr double under_sphere = 1.0 / 60;   // of the sphere's radius: contact ends somewhere inside
-constexpr double first_contact = 1.0 / 8;  // of that, at the tip, where contact begins if nothing spreads it
-constexpr double layer_share = 3;  // of √(κ/E·h), the length of the thinnest boundary layer there can be
-constexpr double point_membrane = 1e-10;  // of the radius: w ~ r^(2/3), no length of its own
-constexpr double point_plate = 1e-4;      // of the radius: w ~ r² ln r
+constexpr double first_contact = 1.0 / 8;   // of that, at the tip, where contact begins if nothing spreads it
+constexpr double layer_share = 3;           // of √(κ/E·h), the length of the thinnest boundary layer there can be
+constexpr double point_membrane = 1e-10;    // of the radius: w ~ r^(2/3), no length of its own
+constexpr double point_plate = 1e-4;        // of the radius: w ~ r² ln r
 
 /// The foci of a load, and the radius where its density jumps.
 struct Demand {
@@ -30,9 +30,7 @@ struct Demand {
     if (load_radius < radius) fixed.push_back(load_radius);
   }
 
-  void operator()(const PointLoad&) {
-    foci.push_back({0, 0, radius * (layer > 0 ? point_plate : point_membrane)});
-  }
+  void operator()(const PointLoad&) { foci.push_back({0, 0, radius * (layer > 0 ? point_plate : point_membrane)}); }
   void operator()(const DiscLoad& disc) { patch(disc.radius_A); }
   void operator()(const ProfileLoad& profile) { patch(profile.radius_A); }
   void operator()(const SphereLoad& sphere) {
@@ -45,8 +43,8 @@ struct Demand {
 
 }  // namespace
 
-std::vector<double> graded_radii(double sheet_radius, const std::vector<double>& fixed,
-                                 const std::vector<Focus>& foci, double growth_rate, double largest) {
+std::vector<double> graded_radii(double sheet_radius, const std::vector<double>& fixed, const std::vector<Focus>& foci,
+                                 double growth_rate, double largest) {
   const auto size = [&](double r) {
     double smallest = largest;
     for (const Focus& focus : foci) {
@@ -69,8 +67,7 @@ std::vector<double> graded_radii(double sheet_radius, const std::vector<double>&
 }
 
 std::vector<double> nodes_for(const SheetProblem& problem) {
-  const double modulus =
-      std::visit([](const auto& law) -> double { return law.sheet_modulus_eV_per_A2; }, problem.law);
+  const double modulus = std::visit([](const auto& law) -> double { return law.sheet_modulus_eV_per_A2; }, problem.law);
   const double layer = layer_share * std::sqrt(problem.bending_modulus_eV / modulus);
   Demand demand{problem.radius_A, layer};
   std::visit(demand, problem.load);

@@ -40,8 +40,7 @@ bool Newton::move(Eigen::VectorXd& x) {
   const double length = line_search(residual_.dot(step_), [&](double share) {
     trial_ = x + share * step_;
     trial_energy = assembly_.energy(trial_, trial_gradient_);
-    return Trial{
-        .change = trial_energy - energy_, .noise = noise, .slope = trial_gradient_.dot(step_) - noise};
+    return Trial{.change = trial_energy - energy_, .noise = noise, .slope = trial_gradient_.dot(step_) - noise};
   });
   if (length == 0) return false;
   assembly_.advance_pressures(x, length * step_);

@@ -14,16 +14,16 @@
 namespace membrane::axisymmetric {
 namespace {
 
-constexpr int most_cuts = 12;                // failed attempts on the way to one level …
-constexpr int most_factorisations = 5000;    // … and work on it: most take thirty …
-constexpr int most_for_the_first = 30000;    // … but the way out of the flat sheet can take thousands
+constexpr int most_cuts = 12;              // failed attempts on the way to one level …
+constexpr int most_factorisations = 5000;  // … and work on it: most take thirty …
+constexpr int most_for_the_first = 30000;  // … but the way out of the flat sheet can take thousands
 constexpr int most_corrections = 40;
 constexpr double force_tolerance = 1e-10;
-constexpr double first_barrier = 1e-3;   // of the energy, over the sphere's area …
-constexpr double last_slack = 1e-8;      // … until the gap that bears the force is this share of the depth
-constexpr double close_enough = 0.98;     // to that
-constexpr double no_contact = 1e-14;      // of the energy: the sheet is clear of the sphere
-constexpr double barrier_decay = 0.1;     // at each stride; later strides are longer
+constexpr double first_barrier = 1e-3;  // of the energy, over the sphere's area …
+constexpr double last_slack = 1e-8;     // … until the gap that bears the force is this share of the depth
+constexpr double close_enough = 0.98;   // to that
+constexpr double no_contact = 1e-14;    // of the energy: the sheet is clear of the sphere
+constexpr double barrier_decay = 0.1;   // at each stride; later strides are longer
 
 class Path {
  public:
@@ -113,8 +113,7 @@ class Path {
       if (!(at.known.force_eV_per_A > 0)) break;
       at = reach_depth(predictor_.depth_at(force));
     }
-    if (at.equilibrium.converged)
-      at.equilibrium.reason = "no depth was found at which the load has this force";
+    if (at.equilibrium.converged) at.equilibrium.reason = "no depth was found at which the load has this force";
     at.equilibrium.converged = false;
     return at;
   }
@@ -216,8 +215,8 @@ class Path {
 
   std::string failure(std::size_t level, const Equilibrium& at) const {
     std::ostringstream text;
-    text << "level " << level << " (" << problem_.levels[level] << "): " << at.reason
-         << "; relative residual " << at.relative_residual;
+    text << "level " << level << " (" << problem_.levels[level] << "): " << at.reason << "; relative residual "
+         << at.relative_residual;
     return text.str();
   }
 

@@ -15,8 +15,7 @@ constexpr double farthest = 2;       // of the last step
 }  // namespace
 
 void Predictor::add(Known known) {
-  if (last_ && std::abs(known.depth_A - last_->depth_A) > coincident * std::abs(known.depth_A))
-    before_ = last_;
+  if (last_ && std::abs(known.depth_A - last_->depth_A) > coincident * std::abs(known.depth_A)) before_ = last_;
   last_ = std::move(known);
 }
 
@@ -41,8 +40,7 @@ Eigen::VectorXd Predictor::at(double depth) const {
 double Predictor::depth_at(double force) const {
   double slope = 2;  // between a force that tilts (1) and one that stretches (3)
   if (before_ && before_->force_eV_per_A > 0 && last_->force_eV_per_A > 0)
-    slope = std::log(last_->force_eV_per_A / before_->force_eV_per_A) /
-            std::log(last_->depth_A / before_->depth_A);
+    slope = std::log(last_->force_eV_per_A / before_->force_eV_per_A) / std::log(last_->depth_A / before_->depth_A);
   const double farther = std::log(force / last_->force_eV_per_A) / std::clamp(slope, 0.5, 10.0);
   return last_->depth_A * std::exp(std::clamp(farther, -2.0, 2.0));
 }

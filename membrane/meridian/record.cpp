@@ -34,12 +34,11 @@ SheetStep record(const SheetProblem& problem, Assembly& assembly, const Eigen::V
   const double rim = problem.radius_A + x[x.size() - 4];
   step.rim_reaction_eV_per_A =
       step.pressure_eV_per_A3 * std::numbers::pi * rim * rim - assembly.full_gradient()[x.size() - 2];
-  step.volume_A3 = -assembly.sum(
-      x, [](const Ring& ring, const LocalState& y) { return ring.area_A2 * Pressure{1}(ring, y).value; });
+  step.volume_A3 =
+      -assembly.sum(x, [](const Ring& ring, const LocalState& y) { return ring.area_A2 * Pressure{1}(ring, y).value; });
   const auto& stretching = std::get<Stretching>(assembly.terms()[stretching_term]);
   for (int n = 0; n <= assembly.element_count(); ++n)
-    step.points.push_back(
-        point_at(stretching, assembly.nodes()[n], x.segment<dofs_per_node>(dofs_per_node * n)));
+    step.points.push_back(point_at(stretching, assembly.nodes()[n], x.segment<dofs_per_node>(dofs_per_node * n)));
   return step;
 }
 

@@ -6,17 +6,17 @@
 #include <numbers>
 #include <utility>
 
-#include "membrane/meridian/mesh.hpp"
-#include "membrane/laws/prestress.hpp"
 #include "membrane/base/refusal.hpp"
+#include "membrane/laws/prestress.hpp"
+#include "membrane/meridian/mesh.hpp"
 
 namespace membrane::axisymmetric {
 namespace {
 
 std::vector<EnergyTerm> terms_of(const SheetProblem& problem) {
   const double tension = problem.pretension_eV_per_A2;
-  const Voigt offset = std::visit(
-      [&](const auto& law) { return offset_strain(law, Voigt(tension, tension, 0)); }, problem.law);
+  const Voigt offset =
+      std::visit([&](const auto& law) { return offset_strain(law, Voigt(tension, tension, 0)); }, problem.law);
   if (!offset.allFinite()) refuse("pretension_eV_per_A2", tension, "the law cannot carry it");
   Stretching stretching{problem.law, offset[0], problem.relaxed, 0};
   stretching.flat_energy = stretching.response(Voigt::Zero()).energy_eV_per_A2;
@@ -36,9 +36,7 @@ std::vector<int> held_dofs(const SheetProblem& problem, int nodes) {
 
 struct PatternOf {
   const Assembly& assembly;
-  Eigen::VectorXd operator()(const PointLoad&) const {
-    return Eigen::VectorXd::Unit(assembly.dof_count(), 2);
-  }
+  Eigen::VectorXd operator()(const PointLoad&) const { return Eigen::VectorXd::Unit(assembly.dof_count(), 2); }
   Eigen::VectorXd operator()(const DiscLoad& disc) const {
     return assembly.pattern([](double) { return 1.0; }, disc.radius_A);
   }
@@ -92,16 +90,13 @@ double conjugate_depth(const Eigen::VectorXd& pattern, const Eigen::VectorXd& x)
   return pattern.size() > 0 ? pattern.dot(x) : x[2];
 }
 
-Eigen::VectorXd tip_shape(const SheetProblem& problem, const Assembly& assembly,
-                          const Eigen::VectorXd& pattern) {
+Eigen::VectorXd tip_shape(const SheetProblem& problem, const Assembly& assembly, const Eigen::VectorXd& pattern) {
   // A point's slope would be infinite: it is rounded over the first element.
   const double c = std::max(std::visit(LoadRadius{}, problem.load), assembly.nodes()[1]);
   const double rim = std::hypot(problem.radius_A, c);
   const Eigen::VectorXd x = shape(
       assembly, [&](double r) { return 1 - std::pow(std::hypot(r, c) / rim, 2.0 / 3); },
-      [&](double r) {
-        return -2.0 / 3 * r * std::pow(std::hypot(r, c), -4.0 / 3) * std::pow(rim, -2.0 / 3);
-      });
+      [&](double r) { return -2.0 / 3 * r * std::pow(std::hypot(r, c), -4.0 / 3) * std::pow(rim, -2.0 / 3); });
   return x / conjugate_depth(pattern, x);
 }
 
@@ -119,8 +114,7 @@ double start_depth(const SheetProblem& problem, double force) {
   const double none = std::numeric_limits<double>::infinity();
   const double tension = problem.pretension_eV_per_A2;
   const double bending = problem.bending_modulus_eV;
-  return std::min({std::cbrt(force * a * a / sheet_modulus(problem)),
-                   tension > 0 ? force / (pi * tension) : none,
+  return std::min({std::cbrt(force * a * a / sheet_modulus(problem)), tension > 0 ? force / (pi * tension) : none,
                    bending > 0 ? force * a * a / (16 * pi * bending) : none});
 }
 

@@ -24,8 +24,7 @@ Eigen::VectorXd pattern_of(const SheetProblem& problem, const Assembly& assembly
 double conjugate_depth(const Eigen::VectorXd& pattern, const Eigen::VectorXd& x);
 
 /// Schwerin's shape 1 − (ρ/ρ_a)^(2/3), ρ² = r² + c², at a conjugate depth of one; c is the load's radius.
-Eigen::VectorXd tip_shape(const SheetProblem& problem, const Assembly& assembly,
-                          const Eigen::VectorXd& pattern);
+Eigen::VectorXd tip_shape(const SheetProblem& problem, const Assembly& assembly, const Eigen::VectorXd& pattern);
 
 /// A paraboloid of about the depth that Hencky's solution has at this pressure.
 Eigen::VectorXd bulge_shape(const SheetProblem& problem, const Assembly& assembly, double pressure_eV_per_A3);

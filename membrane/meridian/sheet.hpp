@@ -48,7 +48,7 @@ struct SheetProblem {
   bool relaxed = true;              ///< tension-field energy; a sheet that bends is not relaxed
   double bending_modulus_eV = 0;    ///< κ of ½ κ (κ1 + κ2)² per reference area; 0: membrane
   double pretension_eV_per_A2 = 0;  ///< isotropic second Piola–Kirchhoff prestress × thickness
-  double pressure_eV_per_A3 = 0;  ///< follower pressure beside the load, the way of the depth where positive
+  double pressure_eV_per_A3 = 0;    ///< follower pressure beside the load, the way of the depth where positive
   Rim rim = Rim::clamped;
   Load load;
   Control control = Control::conjugate_depth;

@@ -69,8 +69,7 @@ Density Bending::operator()(const Ring& ring, const LocalState& y) const {
   set(U, U1, p * t * i3 / (rho * rho));
   set(U, W1, -p * p * i3 / (rho * rho));
   set(U1, U1, -6 * p * T * i5 - 3 * N * i5 + 15 * p * p * N * i7 + (-t * i3 + 3 * p * p * t * i5) / rho);
-  set(U1, W1,
-      -3 * t * T * i5 + 3 * p * P * i5 + 15 * p * t * N * i7 + (2 * p * i3 - 3 * p * p * p * i5) / rho);
+  set(U1, W1, -3 * t * T * i5 + 3 * p * P * i5 + 15 * p * t * N * i7 + (2 * p * i3 - 3 * p * p * p * i5) / rho);
   set(W1, W1, 6 * t * P * i5 - 3 * N * i5 + 15 * t * t * N * i7 - 3 * p * p * t * i5 / rho);
   set(U1, U2, 3 * p * t * i5);
   set(U1, W2, i3 - 3 * p * p * i5);

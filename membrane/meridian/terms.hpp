@@ -5,8 +5,8 @@
 
 #include <variant>
 
-#include "membrane/meridian/hermite.hpp"
 #include "membrane/laws/list.hpp"
+#include "membrane/meridian/hermite.hpp"
 
 namespace membrane::axisymmetric {
 
@@ -52,12 +52,12 @@ struct Pressure {
   Density operator()(const Ring& ring, const LocalState& y) const;
 };
 
-/// A rigid frictionless tip: a sphere, and above its centre a cylinder of the same radius, so that no step can take a sheet
-/// to its other side. What keeps the sheet out is a barrier −µ ln(gap/radius), that is a pressure µ/gap: the smaller µ, the
-/// closer both come to contact, where one of the two is zero.
+/// A rigid frictionless tip: a sphere, and above its centre a cylinder of the same radius, so that no step can take a
+/// sheet to its other side. What keeps the sheet out is a barrier −µ ln(gap/radius), that is a pressure µ/gap: the
+/// smaller µ, the closer both come to contact, where one of the two is zero.
 struct SphereContact {
   double radius_A = 0;
-  double depth_A = 0;             ///< of its lowest point
+  double depth_A = 0;            ///< of its lowest point
   double barrier_eV_per_A2 = 0;  ///< µ
 
   /// Positive outside, Å.

@@ -27,9 +27,9 @@ VectorXd padded(Model& model, const VectorXd& of_nodes) {
 /// Half way on the scale on which a sheet's response from flat is a straight line, the logarithmic one.
 double half_way(double here, double value) { return here == 0 ? value / 8 : std::sqrt(here / value) * value; }
 
-/// The load that gives a sheet under even tension Schwerin's shape w ~ 1 − (r/a)^(2/3), exact for a point load on a sheet
-/// that stretches: density ∇²w ~ r^(−4/3), rounded over the tip. (Under a point itself an even tension would answer by an
-/// infinite slope.) E. Schwerin, Z. angew. Math. Mech. 9 (1929) 482.
+/// The load that gives a sheet under even tension Schwerin's shape w ~ 1 − (r/a)^(2/3), exact for a point load on a
+/// sheet that stretches: density ∇²w ~ r^(−4/3), rounded over the tip. (Under a point itself an even tension would
+/// answer by an infinite slope.) E. Schwerin, Z. angew. Math. Mech. 9 (1929) 482.
 Pattern schwerin_pattern(const Mesh& mesh, double tip_radius) {
   double size = 0;
   for (const Eigen::Vector2d& X : mesh.nodes) size = std::max(size, X.norm());
@@ -44,9 +44,9 @@ class PatternDrive : public Drive {
 
   VectorXd guess(double value) override {
     const bool by_force = problem_.control == Control::force;
-    VectorXd u = predictor_.empty() ? first_guess(value)
-                                    : predictor_.displacements(
-                                          by_force ? predictor_.conjugate_depth(on_part(value)) : value);
+    VectorXd u = predictor_.empty()
+                     ? first_guess(value)
+                     : predictor_.displacements(by_force ? predictor_.conjugate_depth(on_part(value)) : value);
     if (const auto* sphere = std::get_if<SphereLoad>(&problem_.load)) model_.clear_sphere(*sphere, u);
     return u;
   }
@@ -74,9 +74,8 @@ class PatternDrive : public Drive {
     const bool sphere = std::holds_alternative<SphereLoad>(problem_.load);
     const Pattern tip = sphere ? Pattern{mean_on_circle(model_.mesh(), 0)} : model_.pattern();
     const double depth = padded(tip.direction()).dot(shape);
-    const double amplitude = problem_.control == Control::force
-                                 ? balanced_amplitude(model_, shape, on_part(value) * forces)
-                                 : value / depth;
+    const double amplitude =
+        problem_.control == Control::force ? balanced_amplitude(model_, shape, on_part(value) * forces) : value / depth;
     VectorXd u = amplitude * shape;
     if (sphere) u[model_.indenter_dof()] = -amplitude * depth;
     return u;
@@ -145,8 +144,8 @@ class PressureDrive final : public Drive {
     else
       depth_.set_force(predictor_.empty() ? 0 : predictor_.last().force_eV_per_A);
     if (!predictor_.empty())
-      return predictor_.displacements(
-          control_ == Control::force ? predictor_.conjugate_depth(std::abs(value) * area_) : value);
+      return predictor_.displacements(control_ == Control::force ? predictor_.conjugate_depth(std::abs(value) * area_)
+                                                                 : value);
     if (std::holds_alternative<PressureLoad>(problem_.load))
       if (const auto guess = guess_from_coarser(problem_, value, cells_for_tucks)) return padded(model_, *guess);
     return first_guess(value);
@@ -232,8 +231,7 @@ class MotionDrive final : public Drive {
 std::unique_ptr<Drive> make_drive(const Problem& problem, Model& model, Newton& newton) {
   if (std::holds_alternative<PressureLoad>(problem.load))
     return std::make_unique<PressureDrive>(problem, problem.control, model, newton);
-  if (std::holds_alternative<EdgeMotion>(problem.load))
-    return std::make_unique<MotionDrive>(problem, model, newton);
+  if (std::holds_alternative<EdgeMotion>(problem.load)) return std::make_unique<MotionDrive>(problem, model, newton);
   return std::make_unique<PatternDrive>(problem, model, newton, from_flat);
 }
 

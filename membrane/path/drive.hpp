@@ -29,7 +29,8 @@ class Drive {
 std::unique_ptr<Drive> make_drive(const Problem& problem, Model& model, Newton& newton);
 
 /// The load of a problem, from a bulged sheet in equilibrium.
-std::unique_ptr<Drive> make_drive_from(const Problem& problem, Model& model, Newton& newton, const Eigen::VectorXd& bulged);
+std::unique_ptr<Drive> make_drive_from(const Problem& problem, Model& model, Newton& newton,
+                                       const Eigen::VectorXd& bulged);
 
 /// A pressure towards −z by its value, from the flat sheet.
 std::unique_ptr<Drive> pressure_drive(const Problem& problem, Model& model, Newton& newton);

@@ -4,17 +4,17 @@
 #include <memory>
 #include <sstream>
 
-#include "membrane/path/drive.hpp"
 #include "membrane/laws/principal.hpp"
+#include "membrane/path/drive.hpp"
+#include "membrane/problem.hpp"
 #include "membrane/triangles/model.hpp"
 #include "membrane/triangles/newton.hpp"
 #include "membrane/triangles/predictor.hpp"
-#include "membrane/problem.hpp"
 
 namespace membrane {
 namespace {
 
-constexpr int most_cuts = 12;         // failed attempts on the way to one level
+constexpr int most_cuts = 12;            // failed attempts on the way to one level
 constexpr int most_contact_rounds = 40;  // updates of the contact forces at one value
 
 /// Where a search for an equilibrium ended, converged or not.

@@ -38,8 +38,7 @@ class TipGrading final : public Grading {
   }
   double radius(double s) const override {
     if (c_ == 0) return std::pow(s, 1 / growth);
-    return s <= edge_widening ? c_ * s / edge_widening
-                              : c_ * std::pow(1 + growth * (s - edge_widening), 1 / growth);
+    return s <= edge_widening ? c_ * s / edge_widening : c_ * std::pow(1 + growth * (s - edge_widening), 1 / growth);
   }
 
  private:
@@ -101,8 +100,7 @@ Anchor load_anchor(const Grading& grading, const RingDemand& demand) {
 /// Puts a ring on the record radius, into the interval of anchors that holds it; left out within a quarter of
 /// a ring's width of an anchor, where it would make slivers.
 void add_record_anchor(const Grading& grading, double radius, std::vector<Anchor>& anchors) {
-  const auto above =
-      std::find_if(anchors.begin(), anchors.end(), [&](const Anchor& a) { return a.radius > radius; });
+  const auto above = std::find_if(anchors.begin(), anchors.end(), [&](const Anchor& a) { return a.radius > radius; });
   if (above == anchors.begin() || above == anchors.end()) return;
   const Anchor below = *(above - 1);
   const double low = grading.coordinate(below.radius);

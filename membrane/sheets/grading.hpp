@@ -8,10 +8,9 @@ namespace membrane {
 /// What the ring radii of a disc must respect, Å.
 struct RingDemand {
   double sheet_radius_A = 0;
-  double load_radius_A = 0;  ///< 0: point load; otherwise some ring lies exactly here
-  double record_radius_A =
-      0;          ///< 0: none; otherwise a ring lies here too, unless the load's edge is too close
-  int rings = 0;  ///< at least fewest_rings
+  double load_radius_A = 0;    ///< 0: point load; otherwise some ring lies exactly here
+  double record_radius_A = 0;  ///< 0: none; otherwise a ring lies here too, unless the load's edge is too close
+  int rings = 0;               ///< at least fewest_rings
   double layer_A = 0;     ///< 0: a membrane; otherwise √(κ/E·h), the shortest length over which the sheet bends
   bool at_point = false;  ///< the load is on the centre itself
 };
@@ -25,10 +24,10 @@ inline constexpr int fewest_rings = 8;
 /// s^4.5 in the ring number s. Under a disc load the slope is about linear up to the edge: constant h inside
 /// and r^(7/9) outside.
 ///
-/// A sheet that bends is smooth but for its layers at the rim and at the load's edge, which want short segments as much as
-/// narrow rings: rings narrower than half their segments err more than equal ones do (a pressurised graphene disc of
-/// 110 Å, 72 rings: 0.6 % in volume with equal rings, 0.9 % if those at the rim are half as wide). So h is about the same
-/// all over, and less only under the load or at the point that bears it.
+/// A sheet that bends is smooth but for its layers at the rim and at the load's edge, which want short segments as much
+/// as narrow rings: rings narrower than half their segments err more than equal ones do (a pressurised graphene disc of
+/// 110 Å, 72 rings: 0.6 % in volume with equal rings, 0.9 % if those at the rim are half as wide). So h is about the
+/// same all over, and less only under the load or at the point that bears it.
 std::vector<double> graded_radii(const RingDemand& demand);
 
 /// Rings of one width, apart from those next to the load's edge and the record radius, to which the nearest ring moves.

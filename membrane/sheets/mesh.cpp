@@ -21,9 +21,8 @@ void add_ring(const NodeRing& ring, double share, Eigen::VectorXd& weights) {
 }
 
 int nearest_to_origin(const Mesh& mesh) {
-  const auto nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [](const auto& a, const auto& b) {
-    return a.squaredNorm() < b.squaredNorm();
-  });
+  const auto nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(),
+                                        [](const auto& a, const auto& b) { return a.squaredNorm() < b.squaredNorm(); });
   return static_cast<int>(std::distance(mesh.nodes.begin(), nearest));
 }
 

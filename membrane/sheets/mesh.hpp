@@ -36,8 +36,8 @@ struct Mesh {
   std::vector<Triangle> triangles;     ///< counter-clockwise
   Held held;                           ///< per node and component: the displacement is prescribed
   std::map<Edge, std::vector<int>> edges;
-  std::vector<NodeRing> rings;             ///< of a round sheet, outwards; else empty
-  std::vector<int> rim_triangles;          ///< triangles with an edge on the rim of a round sheet
+  std::vector<NodeRing> rings;                    ///< of a round sheet, outwards; else empty
+  std::vector<int> rim_triangles;                 ///< triangles with an edge on the rim of a round sheet
   std::array<bool, 2> mirrored = {false, false};  ///< x = 0, y = 0 are symmetry planes of the full sheet
   int copies = 1;                                 ///< the full sheet consists of this many of the meshed part
 

@@ -30,8 +30,8 @@ bool has_clamped_edge(const RectangleSheet& sheet) {
   return false;
 }
 
-/// Takes the freedom to move as a rigid body in the plane: the middle node, and that of the right edge across. Loads that
-/// balance themselves leave these supports without force.
+/// Takes the freedom to move as a rigid body in the plane: the middle node, and that of the right edge across. Loads
+/// that balance themselves leave these supports without force.
 void pin(int middle, int middle_of_right_edge, Mesh& mesh) {
   mesh.held[middle][0] = mesh.held[middle][1] = true;
   mesh.held[middle_of_right_edge][1] = true;

@@ -10,7 +10,8 @@ namespace membrane {
 /// what keeps a full sheet without a clamped edge in its place.
 Mesh rectangle_mesh(const RectangleSheet& sheet);
 
-/// Displacements (three a node) of a coarser mesh of the same sheet on the nodes of a finer one, linear between grid lines.
+/// Displacements (three a node) of a coarser mesh of the same sheet on the nodes of a finer one, linear between grid
+/// lines.
 Eigen::VectorXd interpolate(const RectangleSheet& coarse, const Eigen::VectorXd& u, const RectangleSheet& fine);
 
 }  // namespace membrane

@@ -21,7 +21,9 @@ void add_ring(double radius, int segments, double turn, bool closed, Mesh& mesh)
   }
 }
 
-int node_at(const NodeRing& ring, int position) { return ring.first + (ring.closed ? position % ring.count : position); }
+int node_at(const NodeRing& ring, int position) {
+  return ring.first + (ring.closed ? position % ring.count : position);
+}
 
 /// Triangles of one sector between the ring inside with `inner_segments` = i − 1 of them and the one outside with i.
 void add_sector(const Mesh& mesh, int ring, int sector, std::vector<std::array<int, 3>>& corners) {

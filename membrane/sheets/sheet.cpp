@@ -60,7 +60,8 @@ struct MeshOf {
   Mesh operator()(const DiscSheet& disc) const {
     const RingDemand rings{disc.radius_A, demand.load_radius_A, demand.record_radius_A,
                            disc.rings,    demand.layer_A,       demand.at_point};
-    Mesh mesh = disc_mesh(disc.spacing == RingSpacing::graded ? graded_radii(rings) : uniform_radii(rings), disc.extent);
+    Mesh mesh =
+        disc_mesh(disc.spacing == RingSpacing::graded ? graded_radii(rings) : uniform_radii(rings), disc.extent);
     mesh.support(Edge::rim, disc.rim);
     return mesh;
   }
@@ -81,9 +82,7 @@ struct MeshOf {
 
 }  // namespace
 
-DiscSheet paper_disc(double radius_A) {
-  return {.radius_A = radius_A, .rings = 44, .spacing = RingSpacing::uniform};
-}
+DiscSheet paper_disc(double radius_A) { return {.radius_A = radius_A, .rings = 44, .spacing = RingSpacing::uniform}; }
 
 RectangleSheet paper_square(double side_A) {
   return {.length_x_A = side_A, .length_y_A = side_A, .cells_x = 60, .cells_y = 60, .extent = Extent::full};

@@ -53,7 +53,8 @@ RectangleSheet paper_square(double side_A);
 struct MeshDemand {
   double load_radius_A = 0;
   double record_radius_A = 0;  ///< left out where the load's edge is too close
-  double layer_A = 0;     ///< of a sheet that bends: the shortest length over which it does, at its rim and the load's edge
+  double layer_A =
+      0;  ///< of a sheet that bends: the shortest length over which it does, at its rim and the load's edge
   bool at_point = false;  ///< the load is on the centre itself
 };
 

@@ -14,8 +14,8 @@ namespace membrane {
 /// Pairs of nodes that some energy couples, in any order and with repetitions.
 using NodePairs = std::vector<std::pair<int, int>>;
 
-/// Lower half over 3 degrees of freedom a node (eV/Å²). A term finds the places of its blocks once and then adds to them
-/// without searching. Rows and columns of held degrees of freedom are those of the unit matrix.
+/// Lower half over 3 degrees of freedom a node (eV/Å²). A term finds the places of its blocks once and then adds to
+/// them without searching. Rows and columns of held degrees of freedom are those of the unit matrix.
 class Hessian {
  public:
   using Matrix = Eigen::SparseMatrix<double>;

@@ -46,7 +46,8 @@ SphereObstacle::Gap SphereObstacle::gap(const Candidate& at, const Eigen::Vector
   const Eigen::Vector2d out = x / r;
   const Eigen::Matrix2d radial = out * out.transpose();
   const double bend = r > on_sphere ? 0 : radius_A_ * radius_A_ / (root * root * root);
-  return {lift + height, {slope * out.x(), slope * out.y(), -1},
+  return {lift + height,
+          {slope * out.x(), slope * out.y(), -1},
           bend * radial + slope / r * (Eigen::Matrix2d::Identity() - radial)};
 }
 

@@ -10,8 +10,8 @@
 namespace membrane {
 
 /// One node kept out of one obstacle by the augmented Lagrangian (Alart & Curnier, Comput. Methods Appl. Mech. Eng. 92
-/// (1991) 353): energy (⟨λ − k g⟩² − λ²)/2k with the gap g and the present multiplier λ ≥ 0, the contact force. Updating
-/// λ ← ⟨λ − k g⟩ at each equilibrium drives penetration to zero at finite stiffness.
+/// (1991) 353): energy (⟨λ − k g⟩² − λ²)/2k with the gap g and the present multiplier λ ≥ 0, the contact force.
+/// Updating λ ← ⟨λ − k g⟩ at each equilibrium drives penetration to zero at finite stiffness.
 struct Contact {
   double stiffness = 0;   ///< k, eV/Å²
   double multiplier = 0;  ///< λ, eV/Å
@@ -54,9 +54,9 @@ class SphereObstacle final : public Obstacle {
     Hessian::Place place;  ///< (indenter, node)
   };
   struct Gap {
-    double value;              ///< Å
-    Eigen::Vector3d gradient;  ///< with respect to the node's position; the indenter's is its z component's negative
-    Eigen::Matrix2d curvature; ///< second derivatives with respect to the node's x and y, 1/Å
+    double value;               ///< Å
+    Eigen::Vector3d gradient;   ///< with respect to the node's position; the indenter's is its z component's negative
+    Eigen::Matrix2d curvature;  ///< second derivatives with respect to the node's x and y, 1/Å
   };
   Gap gap(const Candidate& at, const Eigen::VectorXd& u) const;
 

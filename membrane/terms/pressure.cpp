@@ -65,8 +65,8 @@ double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradien
 }
 
 /// The gradient of −p V by a corner is −p (x_b × x_c)/6, and d(x_b × x_c)/dx_b = −cross(x_c): the block of the corners
-/// (a, b) is p cross(x_c)/6, with (a, b, c) in turn. Sums over the triangles about a free node are those of the follower
-/// load.
+/// (a, b) is p cross(x_c)/6, with (a, b, c) in turn. Sums over the triangles about a free node are those of the
+/// follower load.
 void Pressure::add_hessian(const Eigen::VectorXd& u, double share, Hessian& hessian) {
   if (pressure_ == 0 || share == 1 || broken(Fault::no_pressure_stiffness)) return;
   for (std::size_t t = 0; t < places_.size(); ++t) {

@@ -9,11 +9,11 @@
 
 namespace membrane {
 
-/// Energy −p V with V the volume between the sheet and the plane z = 0, V = Σ x1·(x2×x3)/6 over the triangles. Exact with
-/// respect to the follower load p n dA on the linear triangles as long as the boundary lies in z = 0 or in planes through
-/// the origin (symmetry planes): the cone over the boundary then has no volume, and the Hessian is symmetric (Bonet &
-/// Wood, Nonlinear Continuum Mechanics, 2nd ed. 2008, ch. 8.5). Positive p pushes a sheet of counter-clockwise triangles
-/// towards +z.
+/// Energy −p V with V the volume between the sheet and the plane z = 0, V = Σ x1·(x2×x3)/6 over the triangles. Exact
+/// with respect to the follower load p n dA on the linear triangles as long as the boundary lies in z = 0 or in planes
+/// through the origin (symmetry planes): the cone over the boundary then has no volume, and the Hessian is symmetric
+/// (Bonet & Wood, Nonlinear Continuum Mechanics, 2nd ed. 2008, ch. 8.5). Positive p pushes a sheet of counter-clockwise
+/// triangles towards +z.
 class Pressure final : public EnergyTerm {
  public:
   explicit Pressure(const Mesh& mesh) : mesh_(mesh) {}

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "membrane/terms/kinematics.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/laws/tension_field.hpp"
+#include "membrane/terms/kinematics.hpp"
 
 namespace membrane {
 namespace {

@@ -32,8 +32,8 @@ Factor::Factor() {
   cholesky_.cholmod().print = 0;  // "not positive definite" is an answer here, not news for a terminal
 }
 
-/// From the counts of the symbolic analysis: a factorisation does its operations some twelve times faster than a solution,
-/// which waits for memory, does its four per entry.
+/// From the counts of the symbolic analysis: a factorisation does its operations some twelve times faster than a
+/// solution, which waits for memory, does its four per entry.
 int Factor::steps_worth() const {
   const cholmod_common& counts = cholesky_.cholmod();
   return counts.lnz > 0 ? std::clamp(static_cast<int>(counts.fl / (48 * counts.lnz)), 3, 12) : 3;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "membrane/base/fault.hpp"
+#include "membrane/base/refusal.hpp"
 #include "membrane/laws/prestress.hpp"
 #include "membrane/laws/principal.hpp"
-#include "membrane/base/refusal.hpp"
 
 namespace membrane {
 namespace {
@@ -79,8 +79,7 @@ double layer_A(const Problem& problem) {
 Material material_of(const Problem& problem, const Mesh& mesh) {
   const Voigt prestress = prestress_on_axes(problem, mesh);
   const Voigt offset = std::visit([&](const auto& law) { return offset_strain(law, prestress); }, problem.law);
-  if (!offset.allFinite())
-    refuse("prestress_eV_per_A2", prestress.transpose(), "the law cannot carry this prestress");
+  if (!offset.allFinite()) refuse("prestress_eV_per_A2", prestress.transpose(), "the law cannot carry this prestress");
   return {problem.law, offset, problem.relaxed};
 }
 

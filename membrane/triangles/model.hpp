@@ -28,12 +28,14 @@ class Model {
   Pressure& pressure() { return pressure_; }
   const std::vector<Obstacle*>& obstacles() const { return obstacles_; }
 
-  /// Weights over all nodes (the mesh's, an indenter's, those that carry rotations), whose sum of −z is the conjugate depth; zero for a load that has
-  /// none (pressure, motion).
+  /// Weights over all nodes (the mesh's, an indenter's, those that carry rotations), whose sum of −z is the conjugate
+  /// depth; zero for a load that has none (pressure, motion).
   const Pattern& pattern() const { return pattern_; }
 
   /// −z of every node; of one that carries rotations without a meaning.
-  static Eigen::VectorXd transverse(const Eigen::VectorXd& u) { return -u.reshaped(3, u.size() / 3).row(2).transpose(); }
+  static Eigen::VectorXd transverse(const Eigen::VectorXd& u) {
+    return -u.reshaped(3, u.size() / 3).row(2).transpose();
+  }
 
   /// Pressure towards −z, eV/Å³.
   void set_pressure(double value) { pressure_.set(-value); }

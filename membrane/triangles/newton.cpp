@@ -10,7 +10,7 @@
 namespace membrane {
 namespace {
 
-constexpr double rounding = 3e-14;      // of the triangles' forces on the nodes: no residual gets below it
+constexpr double rounding = 3e-14;  // of the triangles' forces on the nodes: no residual gets below it
 constexpr double energy_rounding = 1e-15;
 constexpr double energy_noise = 1e-12;  // relative; below it energies do not tell better from worse
 constexpr double least_damping = 1e-7;  // of the largest diagonal entry of the tangent
@@ -88,9 +88,8 @@ void Newton::measure(const Target& target, Equilibrium& at) {
   total_.release_held(residual_);
   const double residual = residual_.norm();
   at.relative_residual = relative(residual, load_norm(at.force_eV_per_A));
-  at.converged =
-      std::isfinite(residual) && ((at.relative_residual <= options_.relative_residual && balanced()) ||
-                                  residual <= rounding * total_.part_norm());
+  at.converged = std::isfinite(residual) && ((at.relative_residual <= options_.relative_residual && balanced()) ||
+                                             residual <= rounding * total_.part_norm());
 }
 
 /// A curved depth's direction turns with u, and what the multiplier found missing of its force belongs to its
@@ -122,10 +121,10 @@ bool Newton::move(const Target& target, Eigen::VectorXd& u) {
     trial_ = u + length * step_;
     if (target.curved) target.curved->restore(target.value, trial_);
     trial_energy = total_.energy(trial_, trial_gradient_);
-    return Trial{.change = trial_energy - energy_ - length * work,
-                 .noise = energy_noise * (std::abs(energy_) + std::abs(length * work)) +
-                          energy_rounding * total_.counted_from(),
-                 .slope = trial_gradient_.dot(step_) - work};
+    return Trial{
+        .change = trial_energy - energy_ - length * work,
+        .noise = energy_noise * (std::abs(energy_) + std::abs(length * work)) + energy_rounding * total_.counted_from(),
+        .slope = trial_gradient_.dot(step_) - work};
   });
   if (length == 0) return false;
   adapt_damping(length);
@@ -143,7 +142,7 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor 
   follow_curve(target, u);
   damping_ = 0;
   bool wants_factor = first == FirstFactor::fresh || !factor_.ready();
-  bool fresh = false;  // the factor is that of this very u
+  bool fresh = false;                                       // the factor is that of this very u
   double before = std::numeric_limits<double>::infinity();  // relative residual one step ago
   while (true) {
     if (wants_factor) {
@@ -156,7 +155,8 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor 
     }
     measure(target, at);
     if (at.converged || at.iterations == options_.most_iterations) break;
-    if (!fresh && !(options_.keep_factor && keeps_pace(at.relative_residual, before, options_.relative_residual, factor_.steps_worth()))) {
+    if (!fresh && !(options_.keep_factor &&
+                    keeps_pace(at.relative_residual, before, options_.relative_residual, factor_.steps_worth()))) {
       wants_factor = true;
       continue;
     }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "membrane/triangles/factor.hpp"
 #include "membrane/problem.hpp"
 #include "membrane/terms/total_energy.hpp"
+#include "membrane/triangles/factor.hpp"
 
 namespace membrane {
 
@@ -36,10 +36,10 @@ struct Target {
 /// How a search for an equilibrium ended.
 struct Equilibrium {
   bool converged = false;
-  std::string reason;            ///< empty when converged
-  double force_eV_per_A = 0;     ///< on the meshed part: given, or the multiplier of the depth
-  double energy_eV = 0;          ///< of the meshed part
-  double relative_residual = 0;  ///< |free residual| / |applied load|
+  std::string reason;                    ///< empty when converged
+  double force_eV_per_A = 0;             ///< on the meshed part: given, or the multiplier of the depth
+  double energy_eV = 0;                  ///< of the meshed part
+  double relative_residual = 0;          ///< |free residual| / |applied load|
   std::vector<double> residual_history;  ///< the same before each step, and at the end
   int iterations = 0;                    ///< steps taken
   int smallest_pivot_sign = 1;           ///< of the last tangent that was factorised: −1 indefinite, 0 singular
@@ -88,7 +88,7 @@ class Newton {
   Factor factor_;
   Eigen::VectorXd direction_;  ///< of the load, zero where held
   Eigen::VectorXd response_;   ///< K⁻¹ direction, with the factor kept
-  double multiplier_ = 0;  ///< force along direction_, eV/Å; of a curved depth what its energy lacks of it
+  double multiplier_ = 0;      ///< force along direction_, eV/Å; of a curved depth what its energy lacks of it
   double energy_ = 0;
   int pivot_sign_ = 1;
   double damping_ = 0;  ///< share of the tangent's largest diagonal entry that is added to its diagonal

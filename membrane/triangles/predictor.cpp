@@ -22,11 +22,12 @@ void Predictor::add(PathPoint point) {
 /// A polynomial reaches as far ahead as its points lie apart; beyond that one point is the better guide.
 std::size_t Predictor::points_that_reach(double conjugate_depth_A) const {
   for (std::size_t count = points_.size(); count > 1; --count) {
-    const auto [low, high] = std::minmax_element(points_.end() - count, points_.end(), [](const auto& a, const auto& b) {
-      return a.conjugate_depth_A < b.conjugate_depth_A;
-    });
+    const auto [low, high] =
+        std::minmax_element(points_.end() - count, points_.end(),
+                            [](const auto& a, const auto& b) { return a.conjugate_depth_A < b.conjugate_depth_A; });
     const double span = high->conjugate_depth_A - low->conjugate_depth_A;
-    const double ahead = std::max(conjugate_depth_A - high->conjugate_depth_A, low->conjugate_depth_A - conjugate_depth_A);
+    const double ahead =
+        std::max(conjugate_depth_A - high->conjugate_depth_A, low->conjugate_depth_A - conjugate_depth_A);
     if (ahead <= 1.01 * span) return count;
   }
   return 1;
@@ -41,7 +42,8 @@ Eigen::VectorXd Predictor::displacements(double conjugate_depth_A) const {
     double weight = 1;
     for (auto other = first; other != points_.end(); ++other)
       if (other != point)
-        weight *= (conjugate_depth_A - other->conjugate_depth_A) / (point->conjugate_depth_A - other->conjugate_depth_A);
+        weight *=
+            (conjugate_depth_A - other->conjugate_depth_A) / (point->conjugate_depth_A - other->conjugate_depth_A);
     const double ratio = conjugate_depth_A / point->conjugate_depth_A;
     const double in_plane = std::pow(ratio, scaling_.in_plane);
     const double transverse = std::pow(ratio, scaling_.transverse);

@@ -19,8 +19,8 @@ struct Scaling {
   int in_plane = 2, transverse = 1;
 };
 
-/// A sheet pulled out of its plane from flat has u_z odd and u_x, u_y even in d, and without pretension u_z ~ d, u_xy ~ d²
-/// at small slopes.
+/// A sheet pulled out of its plane from flat has u_z odd and u_x, u_y even in d, and without pretension u_z ~ d, u_xy ~
+/// d² at small slopes.
 inline constexpr Scaling from_flat{2, 1};
 /// An edge moves: everything goes with the motion.
 inline constexpr Scaling with_motion{1, 1};

@@ -47,8 +47,7 @@ Eigen::VectorXd StiffenedSheet::under_motion(const Eigen::VectorXd& held_displac
     model_.energy().energy(small * held_displacements, moved);
     Eigen::VectorXd forces = (at_rest - moved) / small;
     model_.energy().release_held(forces);
-    return Eigen::VectorXd(held_displacements +
-                           newton_.linear_response(Eigen::VectorXd::Zero(forces.size()), forces));
+    return Eigen::VectorXd(held_displacements + newton_.linear_response(Eigen::VectorXd::Zero(forces.size()), forces));
   });
 }
 

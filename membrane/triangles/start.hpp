@@ -8,9 +8,9 @@
 
 namespace membrane {
 
-/// How the flat sheet answers a small load if an artificial pretension stiffens it: the direction of the first step. The
-/// model is left as it was. Displacements over all degrees of freedom per unit of the load (a node's force pattern), or
-/// per unit of a motion of held nodes; not finite where even the stiffened sheet has no answer.
+/// How the flat sheet answers a small load if an artificial pretension stiffens it: the direction of the first step.
+/// The model is left as it was. Displacements over all degrees of freedom per unit of the load (a node's force
+/// pattern), or per unit of a motion of held nodes; not finite where even the stiffened sheet has no answer.
 class StiffenedSheet {
  public:
   StiffenedSheet(Model& model, Newton& newton) : model_(model), newton_(newton) {}

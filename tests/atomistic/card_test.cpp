@@ -16,11 +16,12 @@ namespace {
 using namespace atomistic;
 
 /// Computed with LAMMPS 29 Sep 2021 by programs written separately from this project. The first five: lattice constant
-/// from the zero of the membrane force, moduli by strained cells, bending modulus of a rippled strip of 120 Å. The other
-/// three: energies alone, of LAMMPS's own input scripts with its own minimiser, by second differences over strains of
-/// ±1e-3 and ripples of one frozen mode (49 and 97 Å, extrapolated in q²); the knot of AIREBO's angular spline at 120°
-/// makes such an E·h 0.4 % higher and ν 1 % lower than a slope of stresses does (AIREBO itself: 278.7, 0.361), and the
-/// frozen mode a κ 0.6 % higher. Torsion is nothing in the flat sheet: airebo-notorsion has AIREBO's moduli.
+/// from the zero of the membrane force, moduli by strained cells, bending modulus of a rippled strip of 120 Å. The
+/// other three: energies alone, of LAMMPS's own input scripts with its own minimiser, by second differences over
+/// strains of ±1e-3 and ripples of one frozen mode (49 and 97 Å, extrapolated in q²); the knot of AIREBO's angular
+/// spline at 120° makes such an E·h 0.4 % higher and ν 1 % lower than a slope of stresses does (AIREBO itself: 278.7,
+/// 0.361), and the frozen mode a κ 0.6 % higher. Torsion is nothing in the flat sheet: airebo-notorsion has AIREBO's
+/// moduli.
 struct Reference {
   double a0_A, Eh_N_per_m, nu, bending_modulus_eV;
   double nu_tolerance = 0.005;  ///< relative
@@ -73,8 +74,8 @@ TEST_P(KimCardOf, EqualsLammpsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Installed, KimCardOf,
-                         testing::Values(std::pair("kim/tersoff-1988", "tersoff-1988"), std::pair("kim/airebo", "airebo"),
-                                         std::pair("kim/lcbop", "lcbop")));
+                         testing::Values(std::pair("kim/tersoff-1988", "tersoff-1988"),
+                                         std::pair("kim/airebo", "airebo"), std::pair("kim/lcbop", "lcbop")));
 
 /// Trained on DFT graphene; its authors give a lattice constant of 2.467 Å (Phys. Rev. B 100 (2019) 195419, table II).
 TEST(KimCard, OfANeuralNetwork) {

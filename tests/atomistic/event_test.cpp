@@ -9,11 +9,15 @@ namespace {
 using namespace atomistic;
 
 TEST(Event, EveryKindSurvivesTheLine) {
-  const Event events[] = {StartEvent{20210929, 2}, CardEvent{{.a0_A = 2.46}}, ProgressEvent{3, 7, 1e-4},
-                          StepEvent{4, "step-0004.bin"}, EndEvent{{.ended = Ended::artefact, .reason = "bond"}},
-                          ErrorEvent{"line\nbreak and \"quotes\"", Fault::file},
-                          ResponseEvent{{.curves = {{.direction = "zigzag", .strain = {0, 0.01}, .artefact_strain = 0.2}},
-                                         .states = {{.strain = {0.1, 0.2, 0.3, 15}, .S12_eV_per_A2 = 1.5}}}}};
+  const Event events[] = {
+      StartEvent{20210929, 2},
+      CardEvent{{.a0_A = 2.46}},
+      ProgressEvent{3, 7, 1e-4},
+      StepEvent{4, "step-0004.bin"},
+      EndEvent{{.ended = Ended::artefact, .reason = "bond"}},
+      ErrorEvent{"line\nbreak and \"quotes\"", Fault::file},
+      ResponseEvent{{.curves = {{.direction = "zigzag", .strain = {0, 0.01}, .artefact_strain = 0.2}},
+                     .states = {{.strain = {0.1, 0.2, 0.3, 15}, .S12_eV_per_A2 = 1.5}}}}};
   for (const Event& event : events) {
     const std::string line = to_line(event);
     EXPECT_EQ(line.find('\n'), std::string::npos);

@@ -1,10 +1,9 @@
-#include "atomistic/lammps/lammps.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "atomistic/lammps/lammps.hpp"
 #include "atomistic/lattice/sheet.hpp"
 #include "tests/atomistic/lammps_session.hpp"
 
@@ -54,7 +53,8 @@ TEST_P(ForcesOf, AreTheEnergysGradient) {
   VectorXd direction = VectorXd::Zero(x.size());
   for (int k = 0; k < 3 * sheet.free_atoms; ++k) direction[k] = std::sin(1.7 * k);
   const auto error = [&](double h) {
-    const double slope = (field.evaluate(x + h * direction, unused) - field.evaluate(x - h * direction, unused)) / (2 * h);
+    const double slope =
+        (field.evaluate(x + h * direction, unused) - field.evaluate(x - h * direction, unused)) / (2 * h);
     return std::abs(slope + forces.dot(direction));
   };
   const double coarse = error(4e-3), fine = error(2e-3);
@@ -66,7 +66,8 @@ TEST_P(ForcesOf, DependOnThePositionsAlone) {
   const Sheet sheet = make_sheet(10, 2.46, 0, 6);
   ForceField field(potential(GetParam()), box_of(sheet), sheet.positions, "none");
   VectorXd later, fresh, unused;
-  for (double part : {0.3, 0.6, 0.9}) field.evaluate(sheet.positions + part * (deformed(sheet) - sheet.positions), unused);
+  for (double part : {0.3, 0.6, 0.9})
+    field.evaluate(sheet.positions + part * (deformed(sheet) - sheet.positions), unused);
   const double energy = field.evaluate(deformed(sheet), later);
   EXPECT_NEAR(field.evaluate(deformed(sheet), fresh, true), energy, 1e-9 * std::abs(energy));
   EXPECT_LT((later - fresh).cwiseAbs().maxCoeff(), 1e-10);

@@ -116,7 +116,8 @@ TEST(Pressure, AtomsApproachHencky) {
   const Path path = follow(p);
   expect_converged(path, 2);
   const double a = 50 + 0.75 * make_sheet(p).bond_A, Eh = p.card.sheet_modulus_eV_per_A2();
-  const double C = 0.679687 + (0.19 - p.card.nu()) * (0.679687 - 0.653443) / (0.19 - 0.3) * -1;  // between ν = 0.19 and 0.3
+  const double C =
+      0.679687 + (0.19 - p.card.nu()) * (0.679687 - 0.653443) / (0.19 - 0.3) * -1;  // between ν = 0.19 and 0.3
   double ratio[2];
   for (int i : {0, 1}) ratio[i] = path.steps[i].depth_A / (C * a * std::cbrt(p.levels[i] * a / Eh));
   EXPECT_NEAR(ratio[1], 1, 0.06);
@@ -232,7 +233,8 @@ TEST(Unloading, IsReversibleAndKnowsItsPlace) {
   for (std::size_t kept = 1; kept < 5; ++kept) {
     const Path rest = follow(p, {whole.steps.begin(), whole.steps.begin() + static_cast<long>(kept)});
     ASSERT_EQ(rest.steps.size(), 5 - kept);
-    EXPECT_NEAR(rest.steps.back().force_eV_per_A, whole.steps.back().force_eV_per_A, 1e-8 * whole.steps.back().force_eV_per_A);
+    EXPECT_NEAR(rest.steps.back().force_eV_per_A, whole.steps.back().force_eV_per_A,
+                1e-8 * whole.steps.back().force_eV_per_A);
   }
 }
 

@@ -54,9 +54,14 @@ TEST_F(JobFile, ACurveSurvives) {
 TEST_F(JobFile, EveryLoadAndTheSheetsFormSurvive) {
   Problem p;
   p.unload = true;
-  p.form = {.shape = Shape::square, .edge = Edge::sliding, .centre = Centre::atom, .rotation_deg = 12.5,
-            .vacancies = {{1, 2}}, .stone_wales = {{3, -4}, {5, 6}}};
-  const Load loads[] = {PointLoad{}, DiscLoad{7.5}, SphereLoad{.radius_A = 30, .stiffness_eV_per_A3 = 50}, PressureLoad{false}};
+  p.form = {.shape = Shape::square,
+            .edge = Edge::sliding,
+            .centre = Centre::atom,
+            .rotation_deg = 12.5,
+            .vacancies = {{1, 2}},
+            .stone_wales = {{3, -4}, {5, 6}}};
+  const Load loads[] = {PointLoad{}, DiscLoad{7.5}, SphereLoad{.radius_A = 30, .stiffness_eV_per_A3 = 50},
+                        PressureLoad{false}};
   for (const Load& load : loads) {
     p.load = load;
     write_job({CurveJob{p, "/steps"}, "/log"}, file);

@@ -1,12 +1,12 @@
 // Our states and forces before LAMMPS's own means: `run 0`, `fix indent` and `min_style hftn` on a written data file.
-#include <gtest/gtest.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "atomistic/protocol/data_file.hpp"
 #include "atomistic/loads/load_term.hpp"
+#include "atomistic/protocol/data_file.hpp"
 #include "tests/atomistic/paths.hpp"
 #include "tests/atomistic/plain_lammps.hpp"
 
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 /// LAMMPS alone on the atoms of a state; the data file lives as long.
 class Judge {
  public:
-  Judge(const Potential& potential, const VectorXd& positions) : file_(written(potential, positions)), lammps_(potential, file_) {}
+  Judge(const Potential& potential, const VectorXd& positions)
+      : file_(written(potential, positions)), lammps_(potential, file_) {}
   ~Judge() { fs::remove(file_); }
   PlainLammps& lammps() { return lammps_; }
 
@@ -51,13 +52,14 @@ TEST_P(JudgedBy, RunZeroOnTheWrittenFile) {
   const Sheet sheet = make_sheet(p);
   Judge flat(p.potential, sheet.positions);
   flat.lammps().command("run 0");
-  EXPECT_NEAR(judge.lammps().thermo("pe") - flat.lammps().thermo("pe"), step.energy_eV, 1e-8 * std::abs(step.energy_eV) + 1e-7);
+  EXPECT_NEAR(judge.lammps().thermo("pe") - flat.lammps().thermo("pe"), step.energy_eV,
+              1e-8 * std::abs(step.energy_eV) + 1e-7);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, JudgedBy, testing::ValuesIn(shipped_potentials()), test_name);
 
-/// A converged state is a minimum: LAMMPS's Hessian-free truncated Newton, started from it with the loaded atoms' depths
-/// and the ring held, hardly moves energy or force.
+/// A converged state is a minimum: LAMMPS's Hessian-free truncated Newton, started from it with the loaded atoms'
+/// depths and the ring held, hardly moves energy or force.
 class MinimumOf : public testing::TestWithParam<std::string> {};
 
 TEST_P(MinimumOf, HessianFreeNewtonStays) {
@@ -99,7 +101,8 @@ TEST(Sphere, IsFixIndent) {
   lammps.command("variable tip equal f_tip[3]");
   lammps.command("run 0");
   const int free_dofs = 3 * make_sheet(p).free_atoms;
-  EXPECT_LT(lammps.gather("f", static_cast<int>(step.positions.size()) / 3).head(free_dofs).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT(lammps.gather("f", static_cast<int>(step.positions.size()) / 3).head(free_dofs).cwiseAbs().maxCoeff(),
+            1e-5);
   EXPECT_NEAR(lammps.variable("tip"), step.force_eV_per_A, 1e-9 * step.force_eV_per_A);
 }
 

@@ -32,8 +32,12 @@ const LoadCase load_cases[] = {{"point_depth", PointLoad{}, Control::conjugate_d
 
 Problem problem_of(const LoadCase& c) {
   Problem p;
-  p.card = {.a0_A = 2.46, .C11_eV_per_A2 = 20, .C12_eV_per_A2 = 7, .C66_eV_per_A2 = 6.5,
-            .bending_modulus_zigzag_eV = 1, .bending_modulus_armchair_eV = 1};
+  p.card = {.a0_A = 2.46,
+            .C11_eV_per_A2 = 20,
+            .C12_eV_per_A2 = 7,
+            .C66_eV_per_A2 = 6.5,
+            .bending_modulus_zigzag_eV = 1,
+            .bending_modulus_armchair_eV = 1};
   p.radius_A = 20;
   p.load = c.load;
   p.control = c.control;
@@ -94,7 +98,8 @@ TEST_P(LoadOf, StiffnessIsPositiveEvenAfterGivingBack) {
     for (const auto& [atom, stiffness] : blocks)
       v.segment<3>(3 * atom) = Eigen::Vector3d(std::sin(trial + atom), std::cos(3 * trial + atom), 1);
     double energy = 0;
-    for (const auto& [atom, stiffness] : blocks) energy += v.segment<3>(3 * atom).dot(stiffness * v.segment<3>(3 * atom));
+    for (const auto& [atom, stiffness] : blocks)
+      energy += v.segment<3>(3 * atom).dot(stiffness * v.segment<3>(3 * atom));
     if (k.size()) energy -= std::pow(k.dot(v), 2);
     EXPECT_GE(energy, -1e-9);
   }
@@ -165,7 +170,8 @@ TEST(PressureLoad, VolumeOfACone) {
   const PressureTerm pressure(PressureLoad{}, problem_of(load_cases[6]), sheet);
   VectorXd x = sheet.positions.head(3 * sheet.free_atoms), unused;
   for (int i = 0; i < sheet.free_atoms; ++i) x[3 * i + 2] = -5 * (1 - sheet.position(i).head<2>().norm() / 60);
-  EXPECT_NEAR(pressure.volume(x, unused), std::numbers::pi * 60 * 60 * 5 / 3, 0.01 * std::numbers::pi * 60 * 60 * 5 / 3);
+  EXPECT_NEAR(pressure.volume(x, unused), std::numbers::pi * 60 * 60 * 5 / 3,
+              0.01 * std::numbers::pi * 60 * 60 * 5 / 3);
 }
 
 TEST(PressureLoad, HasNoControlledDepth) {

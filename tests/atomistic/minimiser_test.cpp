@@ -29,7 +29,9 @@ struct QuarticWell {
 };
 
 Minimisation preconditioned(const QuarticWell& well) {
-  return {.evaluate = well, .precondition = [&well](const VectorXd& r) { return VectorXd(well.h.llt().solve(r)); }, .constraint = {}};
+  return {.evaluate = well,
+          .precondition = [&well](const VectorXd& r) { return VectorXd(well.h.llt().solve(r)); },
+          .constraint = {}};
 }
 
 TEST(Minimiser, FindsTheMinimumOfAnIllConditionedWell) {
@@ -76,7 +78,8 @@ TEST(Minimiser, TakesAKnownResponseOfTheConstraint) {
   Minimisation known = solved;
   known.constraint_response = well.h.llt().solve(solved.constraint);
   VectorXd x = VectorXd::Zero(12), y = x;
-  const MinimiserReport a = minimise(solved, {.force_tolerance = 1e-10}, x), b = minimise(known, {.force_tolerance = 1e-10}, y);
+  const MinimiserReport a = minimise(solved, {.force_tolerance = 1e-10}, x),
+                        b = minimise(known, {.force_tolerance = 1e-10}, y);
   EXPECT_EQ(a.evaluations, b.evaluations);
   EXPECT_TRUE(x.isApprox(y, 1e-12));
 }

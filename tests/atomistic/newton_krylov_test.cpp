@@ -23,7 +23,10 @@ Evaluation valleys(const VectorXd& x) {
 }
 
 Minimisation unconditioned(Evaluation (*energy)(const VectorXd&)) {
-  return {.evaluate = energy, .precondition = [](const VectorXd& r) { return r; }, .constraint = {}, .constraint_response = {}};
+  return {.evaluate = energy,
+          .precondition = [](const VectorXd& r) { return r; },
+          .constraint = {},
+          .constraint_response = {}};
 }
 
 TEST(NewtonKrylov, FollowsACurvedValleyToItsEnd) {
@@ -68,7 +71,8 @@ TEST(NewtonKrylov, KeepsTheConstraintAndFindsItsMultiplier) {
 
 TEST(NewtonKrylov, SaysWhyItStopped) {
   VectorXd x = VectorXd::Constant(12, -0.9), y = x;
-  const MinimiserReport few = minimise_by_newton(unconditioned(valleys), {.force_tolerance = 1e-9, .max_evaluations = 30}, x);
+  const MinimiserReport few =
+      minimise_by_newton(unconditioned(valleys), {.force_tolerance = 1e-9, .max_evaluations = 30}, x);
   EXPECT_FALSE(few.converged);
   EXPECT_EQ(few.reason, "too many force evaluations");
   EXPECT_LT(few.last.energy, valleys(y).energy);

@@ -23,7 +23,8 @@ Problem problem_of(const std::string& name, double radius, Load load, std::vecto
 
 Path follow(const Problem& p, const std::vector<Step>& finished) {
   Path path;
-  path.report = follow_path(p, "none", finished,
-                            {.on_step = [&](const Step& s) { path.steps.push_back(s); }, .on_progress = {}}, lammps_session());
+  path.report =
+      follow_path(p, "none", finished, {.on_step = [&](const Step& s) { path.steps.push_back(s); }, .on_progress = {}},
+                  lammps_session());
   return path;
 }

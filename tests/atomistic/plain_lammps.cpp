@@ -2,9 +2,8 @@
 
 #include <mpi.h>
 #define LAMMPS_LIB_MPI
-#include <library.h>
-
 #include <fmt/format.h>
+#include <library.h>
 
 #include <fstream>
 #include <sstream>
@@ -16,7 +15,8 @@ PlainLammps::PlainLammps(const atomistic::Potential& potential, const std::files
   char* arguments[std::size(words)];
   for (std::size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
   lammps_ = lammps_open(static_cast<int>(std::size(words)), arguments, MPI_COMM_WORLD, nullptr);
-  for (const char* line : {"units metal", "atom_style atomic", "atom_modify map array", "boundary f f f"}) command(line);
+  for (const char* line : {"units metal", "atom_style atomic", "atom_modify map array", "boundary f f f"})
+    command(line);
   command("read_data " + data_file.string());
   command("pair_style " + potential.pair_style);
   for (std::string line : potential.pair_coeff) {

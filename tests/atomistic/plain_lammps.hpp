@@ -17,9 +17,9 @@ class PlainLammps {
 
   void command(const std::string& line);
   double thermo(const char* keyword) const;
-  Eigen::VectorXd gather(const char* name, int atoms) const;  ///< "x" or "f", by id
-  double variable(const std::string& name) const;             ///< of equal style
-  long evaluations() const;  ///< of the last minimisation
+  Eigen::VectorXd gather(const char* name, int atoms) const;        ///< "x" or "f", by id
+  double variable(const std::string& name) const;                   ///< of equal style
+  long evaluations() const;                                         ///< of the last minimisation
   void minimise(const std::string& style, double force_tolerance);  ///< on the 2-norm of all forces
 
  private:

@@ -31,7 +31,8 @@ TEST(Predictor, ThreeStatesReproduceAParabola) {
 }
 
 TEST(Predictor, UsesTheNewestThree) {
-  std::vector<PathState> states = {{0.5, VectorXd::Constant(6, 99)}, scaling_state(1), scaling_state(1.5), scaling_state(3)};
+  std::vector<PathState> states = {
+      {0.5, VectorXd::Constant(6, 99)}, scaling_state(1), scaling_state(1.5), scaling_state(3)};
   EXPECT_TRUE(extrapolate(states, 4).isApprox(scaling_state(4).displacement, 1e-13));
 }
 

@@ -14,8 +14,8 @@ using namespace atomistic;
 
 class ResponseOf : public testing::TestWithParam<std::string> {};
 
-/// Small uniaxial strain answers with the card's E·h and ν, equibiaxial with C11 + C12; the knot of AIREBO's spline bends
-/// its curves at the start.
+/// Small uniaxial strain answers with the card's E·h and ν, equibiaxial with C11 + C12; the knot of AIREBO's spline
+/// bends its curves at the start.
 TEST_P(ResponseOf, StartsWithTheCardsModuli) {
   const Card& card = card_of(GetParam());
   const StrainState strains[] = {{1e-4, -1e-4 * card.nu(), 0, 0}, {1e-4, 1e-4, 0, 0}};
@@ -51,8 +51,10 @@ INSTANTIATE_TEST_SUITE_P(Shipped, ResponseOf, testing::ValuesIn(shipped_potentia
 
 /// Turning a strain by 60° changes nothing; by 90° exchanges zigzag and armchair.
 TEST(Response, HasTheLatticesSymmetry) {
-  const StrainState plain{0.08, 0.01, 0, 0}, sixty{0.08, 0.01, 0, 60}, ninety{0.08, 0.01, 0, 90}, across{0.01, 0.08, 0, 0};
-  const auto s = compute_response(potential("airebo"), card_of("airebo"), {plain, sixty, ninety, across}, "none").states;
+  const StrainState plain{0.08, 0.01, 0, 0}, sixty{0.08, 0.01, 0, 60}, ninety{0.08, 0.01, 0, 90},
+      across{0.01, 0.08, 0, 0};
+  const auto s =
+      compute_response(potential("airebo"), card_of("airebo"), {plain, sixty, ninety, across}, "none").states;
   EXPECT_NEAR(s[1].S11_eV_per_A2, s[0].S11_eV_per_A2, 1e-7);
   EXPECT_NEAR(s[1].energy_eV_per_A2, s[0].energy_eV_per_A2, 1e-9);
   EXPECT_NEAR(s[2].S11_eV_per_A2, s[3].S22_eV_per_A2, 1e-7);
@@ -60,7 +62,8 @@ TEST(Response, HasTheLatticesSymmetry) {
 }
 
 TEST(Response, RefusesAStrainWithoutDeformation) {
-  EXPECT_THROW(compute_response(potential("tersoff"), card_of("tersoff"), {{-0.6, 0, 0, 0}}, "none"), std::invalid_argument);
+  EXPECT_THROW(compute_response(potential("tersoff"), card_of("tersoff"), {{-0.6, 0, 0, 0}}, "none"),
+               std::invalid_argument);
 }
 
 }  // namespace

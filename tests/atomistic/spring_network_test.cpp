@@ -17,9 +17,15 @@ using Eigen::VectorXd;
 
 /// Close to AIREBO's card (physics: LAMMPS 29 Sep 2021).
 Card airebo_like() {
-  return {.a0_A = 2.4192, .energy_per_atom_eV = -7.4, .C11_eV_per_A2 = 19.99, .C12_eV_per_A2 = 7.287,
-          .C66_eV_per_A2 = 6.35, .bending_modulus_zigzag_eV = 0.967, .bending_modulus_armchair_eV = 0.967,
-          .sublattice_stiffness_eV_per_A2 = 11.5, .bond_softening = 10.9};
+  return {.a0_A = 2.4192,
+          .energy_per_atom_eV = -7.4,
+          .C11_eV_per_A2 = 19.99,
+          .C12_eV_per_A2 = 7.287,
+          .C66_eV_per_A2 = 6.35,
+          .bending_modulus_zigzag_eV = 0.967,
+          .bending_modulus_armchair_eV = 0.967,
+          .sublattice_stiffness_eV_per_A2 = 11.5,
+          .bond_softening = 10.9};
 }
 
 /// Out-of-plane springs that serve long waves alone, so that the network's own bending modulus is the card's.
@@ -30,9 +36,7 @@ Card consistent_out_of_plane() {
   return card;
 }
 
-MatrixXd dense(const SpringNetwork& network) {
-  return MatrixXd(network.matrix()).selfadjointView<Eigen::Lower>();
-}
+MatrixXd dense(const SpringNetwork& network) { return MatrixXd(network.matrix()).selfadjointView<Eigen::Lower>(); }
 
 VectorXd wrinkled(const Sheet& sheet) {
   VectorXd x = sheet.positions;

@@ -60,19 +60,18 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentation", "--loads", "point,dics"}, {"--loads", "'dics'", "point, disc", "did you mean 'disc'?"}},
     {{"indentation", "--models", "atoms"}, {"--models", "'atoms'", "membrane, atomistic, both"}},
     {{"indentation", "--window", "0.2,0.1"}, {"--window", "two increasing numbers"}},
-    {{"indentation", "--potential", "aireb"},
-     {"--potential", "'aireb'", "lcbop, rebo", "did you mean 'airebo'?"}},
+    {{"indentation", "--potential", "aireb"}, {"--potential", "'aireb'", "lcbop, rebo", "did you mean 'airebo'?"}},
     {{"indentation", "--potential", "no/such.toml"}, {"--potential", "there is no file", "no/such.toml"}},
     {{"indentation", "--models", "membrane", "--E", "5", "--nu", "0.2"}, {"--E, --nu", "missing: thickness"}},
-    {{"indentation", "--E", "5", "--nu", "0.2", "--thickness", "1"},
-     {"--E, --thickness, --nu", "--models membrane"}},
+    {{"indentation", "--E", "5", "--nu", "0.2", "--thickness", "1"}, {"--E, --thickness, --nu", "--models membrane"}},
     {{"indentation", "--nu", "1"}, {"--nu: 1 ", "> -1 and < 1"}},
     {{"indentation", "--vacancies", "1,2,3"}, {"--vacancies", "3 numbers", "pairs"}},
     {{"indentation", "--stone-wales", "90,90"}, {"--stone-wales", "90, 90 Å", "outside", "110 Å"}},
     {{"indentation", "--centre", "atm"}, {"--centre", "'atm'", "hexagon, atom", "did you mean 'atom'?"}},
     {{"indentation", "--rotation-deg", "nan"}, {"--rotation-deg: nan", ">= -360 and <= 360"}},
     {{"indentation", "--switch-length", "2.5"}, {"--switch-length: 2.5 Å", "<= 1.99 Å"}},
-    {{"indentation", "--switch-length", "1.92", "--potential", "tersoff"}, {"--switch-length", "'tersoff'", "no switch"}},
+    {{"indentation", "--switch-length", "1.92", "--potential", "tersoff"},
+     {"--switch-length", "'tersoff'", "no switch"}},
     {{"indentation", "--ranks", "-1"}, {"--ranks", "-1", "0 to 4096"}},
     {{"indentation", "--resume", "--overwrite"}, {"--resume", "--overwrite"}},
     {{"indentation", "--case", "nope.toml"}, {"--case", "there is no file 'nope.toml'"}},
@@ -176,14 +175,12 @@ TEST(BadInput, AFileThatCannotBeReadIsExitCodeSix) {
 TEST(BadInput, Potentials) {
   const WorkFolder folder, work;
   folder.write("empty.tersoff", "# nothing\n");
-  const std::string start =
-      "pair_style = \"tersoff\"\npair_coeff = [\"* * {file} C\"]\ninteraction_range = 7\n";
+  const std::string start = "pair_style = \"tersoff\"\npair_coeff = [\"* * {file} C\"]\ninteraction_range = 7\n";
   const struct {
     std::string content;
     Words message;
   } bad_potentials[] = {
-      {start + "file = \"absent.tersoff\"\n",
-       {"bad.toml:4: file", "'absent.tersoff'", "/elsewhere", "potentials"}},
+      {start + "file = \"absent.tersoff\"\n", {"bad.toml:4: file", "'absent.tersoff'", "/elsewhere", "potentials"}},
       {start + "file = \"empty.tersoff\"\n", {"bad.toml:4: file", "empty.tersoff", "no parameters"}},
       {start + "fil = \"absent.tersoff\"\n", {"bad.toml:4", "unknown key 'fil'", "did you mean 'file'?"}},
       {start, {"bad.toml", "'file' is missing"}},
@@ -192,9 +189,8 @@ TEST(BadInput, Potentials) {
   for (const auto& [content, message] : bad_potentials) {
     SCOPED_TRACE(content);
     folder.write("bad.toml", content);
-    expect_refused(
-        run_validate({"indentation", "--potential", path}, work.path(), {"LAMMPS_POTENTIALS=/elsewhere"}), 2,
-        message);
+    expect_refused(run_validate({"indentation", "--potential", path}, work.path(), {"LAMMPS_POTENTIALS=/elsewhere"}), 2,
+                   message);
     EXPECT_TRUE(std::filesystem::is_empty(work.path()));
   }
 }

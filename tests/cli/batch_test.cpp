@@ -89,10 +89,9 @@ TEST(Batch, ChecksEveryCaseBeforeTheFirstStarts) {
 
 TEST(ReportCommand, MakesThePageAgainWithoutComputing) {
   const WorkFolder folder;
-  const Words membrane = {"indentation",  "--models",   "membrane",    "--radius",     "0.5 um",
-                          "--E",          "1.0209 TPa", "--thickness", "0.335 nm",     "--nu",
-                          "0.165",        "--loads",    "disc",        "--tip-radius", "16.5 nm",
-                          "--depth-step", "25 nm",      "--out",       "run",          "--quiet"};
+  const Words membrane = {"indentation", "--models",     "membrane", "--radius", "0.5 um",  "--E",    "1.0209 TPa",
+                          "--thickness", "0.335 nm",     "--nu",     "0.165",    "--loads", "disc",   "--tip-radius",
+                          "16.5 nm",     "--depth-step", "25 nm",    "--out",    "run",     "--quiet"};
   ASSERT_EQ(run_validate(membrane, folder.path()).exit_code, 0);
   const auto text = [&](const fs::path& file) {
     std::ifstream in(file);

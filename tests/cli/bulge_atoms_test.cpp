@@ -23,8 +23,8 @@ Words bulge(const Words& more) {
 /// Bending keeps the atoms below the membrane, less and less as the tension grows; all of the sheet is taut.
 TEST(BulgeAtoms, AClampedDiscApproachesItsMembrane) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate(
-      bulge({"--shape", "disc", "--edge", "clamped", "--pressures", "1e-3,4e-3,1.6e-2"}), folder.path());
+  const Outcome outcome =
+      run_validate(bulge({"--shape", "disc", "--edge", "clamped", "--pressures", "1e-3,4e-3,1.6e-2"}), folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json summary = document(folder.path() / "run" / "summary.json");
   const json& atoms = summary["atoms"];
@@ -49,15 +49,16 @@ TEST(BulgeAtoms, AClampedDiscApproachesItsMembrane) {
   EXPECT_NE(outcome.out.find("atoms' depth"), std::string::npos);
 }
 
-/// Without a fitted number: the potential's own law, and bending. What is left falls with the radius, as a quarter of a bond
-/// in it would make it.
+/// Without a fitted number: the potential's own law, and bending. What is left falls with the radius, as a quarter of a
+/// bond in it would make it.
 TEST(BulgeAtoms, AClampedDiscIsItsCalibratedSheet) {
   double before = 1;
   for (const char* size : {"50", "120"}) {
     const WorkFolder folder;
-    const Outcome outcome = run_validate({"bulge", "--potential", "tersoff", "--shape", "disc", "--edge", "clamped", "--size",
-                                          size, "--cells", "16", "--pressures", "1e-3,1.6e-2", "--out", "run"},
-                                         folder.path());
+    const Outcome outcome =
+        run_validate({"bulge", "--potential", "tersoff", "--shape", "disc", "--edge", "clamped", "--size", size,
+                      "--cells", "16", "--pressures", "1e-3,1.6e-2", "--out", "run"},
+                     folder.path());
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = document(folder.path() / "run" / "summary.json");
     ASSERT_EQ(summary["atoms"]["points"].size(), 2u);
@@ -81,7 +82,8 @@ TEST(BulgeAtoms, ASquareThatSlidesComesInAndStaysInItsPlane) {
     EXPECT_LE(summary["atoms"][side].get<double>(), 50);
     EXPECT_GT(summary["atoms"][side].get<double>(), 50 - 2 * 2.5);
   }
-  // Without stretch the membrane inflates to a quarter of its side; bending forbids the atoms the folds that this takes.
+  // Without stretch the membrane inflates to a quarter of its side; bending forbids the atoms the folds that this
+  // takes.
   EXPECT_LT(summary["atoms"]["points"][0]["depth_ratio"].get<double>(), 0.5);
 }
 

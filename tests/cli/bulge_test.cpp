@@ -29,16 +29,18 @@ TEST(Bulge, WritesNumbersFieldsAndPictures) {
   EXPECT_GE(limit, 0.0441);
   EXPECT_LE(limit, 0.0447);
   EXPECT_TRUE(document["case"].contains("E_eV_per_A3"));
-  for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "membrane.pvd", "membrane-0.vtu"})
+  for (const char* name :
+       {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "membrane.pvd", "membrane-0.vtu"})
     EXPECT_GT(fs::file_size(folder.path() / "run" / name), 100u) << name;
   EXPECT_FALSE(fs::exists(folder.path() / "run" / "work"));
 }
 
 TEST(Bulge, ADiscIsHenckys) {
   const WorkFolder folder;
-  const auto outcome = run_validate({"bulge", "--shape", "disc", "--size", "220", "--edge", "clamped", "--nu", "0.3", "--E", "1",
-                                     "--thickness", "8", "--pressures", "7.27e-6", "--json", "-", "--out", "run"},
-                                    folder.path());
+  const auto outcome =
+      run_validate({"bulge", "--shape", "disc", "--size", "220", "--edge", "clamped", "--nu", "0.3", "--E", "1",
+                    "--thickness", "8", "--pressures", "7.27e-6", "--json", "-", "--out", "run"},
+                   folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const double depth = nlohmann::json::parse(outcome.out)["points"].at(0)["depth_A"];
   // w0 = C a (p a / E h)^(1/3), C(0.3) = 0.653443 (Hencky 1915); finite strain adds 0.1 % here.

@@ -42,8 +42,9 @@ TEST(Fault, AParameterFileCutShortIsNamed) {
   fs::create_directory(folder.path() / "here");
   const std::string whole = lammps_potential("CH.rebo");
   folder.write("here/CH.rebo", whole.substr(0, whole.size() / 2));
-  const Outcome outcome = run_validate({"indentation", "--radius", "15", "--potential", "rebo", "--tip-radius", "5", "--out", "run"},
-                                       folder.path(), {"LAMMPS_POTENTIALS=" + (folder.path() / "here").string()});
+  const Outcome outcome =
+      run_validate({"indentation", "--radius", "15", "--potential", "rebo", "--tip-radius", "5", "--out", "run"},
+                   folder.path(), {"LAMMPS_POTENTIALS=" + (folder.path() / "here").string()});
   expect_says(outcome, 5, {"CH.rebo", "cut short", "potential card"});
 }
 
@@ -56,7 +57,8 @@ TEST(Fault, EditedParametersAreSaidAndNeverMixedInARun) {
   edited.replace(at, 6, "431.00");
   folder.write("here/BNC.tersoff", edited);
   const std::vector<std::string> changed = {"LAMMPS_POTENTIALS=" + (folder.path() / "here").string()};
-  const Words words = {"indentation", "--radius", "30", "--potential", "tersoff", "--loads", "disc", "--depth-step", "0.3", "--out", "run"};
+  const Words words = {"indentation", "--radius",     "30",  "--potential", "tersoff", "--loads",
+                       "disc",        "--depth-step", "0.3", "--out",       "run"};
   RunningValidate running(words, folder.path());
   ASSERT_TRUE(appears(folder.path() / "run/work/disc/steps/step-0000.bin"));
   kill(running.pid(), SIGTERM);
@@ -69,7 +71,9 @@ TEST(Fault, EditedParametersAreSaidAndNeverMixedInARun) {
 
 TEST(Fault, ADiskThatIsFullIsExitCodeSix) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate(small_run({"--loads", "disc", "--models", "atomistic", "--out", "run", "--launcher", "prlimit --fsize=20000"}), folder.path());
+  const Outcome outcome = run_validate(
+      small_run({"--loads", "disc", "--models", "atomistic", "--out", "run", "--launcher", "prlimit --fsize=20000"}),
+      folder.path());
   expect_says(outcome, 6, {"cannot write", "step-0000.bin", "File too large"});
   expect_valid(document(folder.path() / "run/summary.json"));
   EXPECT_TRUE(none_left(folder.path()));
@@ -77,8 +81,9 @@ TEST(Fault, ADiskThatIsFullIsExitCodeSix) {
 
 TEST(Fault, OneKilledRankEndsAllAndKeepsTheSteps) {
   const WorkFolder folder;
-  RunningValidate running({"indentation", "--radius", "30", "--loads", "disc", "--depth-step", "0.5", "--ranks", "2", "--out", "run"},
-                          folder.path());
+  RunningValidate running(
+      {"indentation", "--radius", "30", "--loads", "disc", "--depth-step", "0.5", "--ranks", "2", "--out", "run"},
+      folder.path());
   ASSERT_TRUE(appears(folder.path() / "run/work/disc/steps/step-0000.bin"));
   const std::vector<pid_t> ranks = ranks_of(folder.path());
   ASSERT_EQ(ranks.size(), 2u);

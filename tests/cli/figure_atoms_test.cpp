@@ -8,19 +8,18 @@
 
 TEST(FigureWithAtoms, TwoIsMade) {
   const cli_tests::WorkFolder folder;
-  const auto outcome = cli_tests::run_validate(
-      {"figure", "2", "--potential", "tersoff", "--out", "f", "--quiet"}, folder.path());
+  const auto outcome =
+      cli_tests::run_validate({"figure", "2", "--potential", "tersoff", "--out", "f", "--quiet"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   for (const char* ending : {"svg", "png", "csv", "h5"})
-    EXPECT_GT(std::filesystem::file_size(folder.path() / "f" / (std::string("figure2.") + ending)), 5000u)
-        << ending;
+    EXPECT_GT(std::filesystem::file_size(folder.path() / "f" / (std::string("figure2.") + ending)), 5000u) << ending;
 }
 
 /// One search: up through smaller pressures, folded at the last, an equilibrium.
 TEST(FigureWithAtoms, FourShowsTheSquareAsAtoms) {
   const cli_tests::WorkFolder folder;
-  const auto outcome = cli_tests::run_validate({"figure", "4", "--atoms", "--starts", "1", "--out", "f", "--quiet"},
-                                               folder.path());
+  const auto outcome =
+      cli_tests::run_validate({"figure", "4", "--atoms", "--starts", "1", "--out", "f", "--quiet"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   for (const char* words : {"tersoff atoms: centre depth", "through smaller pressures", "wrinkled or taut in both",
                             "waves along the sides"})

@@ -17,8 +17,7 @@ std::string text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void expect_complete(const fs::path& folder, const std::string& name,
-                     std::initializer_list<const char*> curves) {
+void expect_complete(const fs::path& folder, const std::string& name, std::initializer_list<const char*> curves) {
   for (const char* ending : {".svg", ".png", ".csv", ".h5"})
     EXPECT_GT(text(folder / (name + ending)).size(), 5000u) << name << ending;
   const std::string csv = text(folder / (name + ".csv"));
@@ -33,7 +32,8 @@ TEST(Figure, OneIsMade) {
   const Outcome outcome = run_validate({"figure", "1", "--out", "f", "--quiet"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   expect_complete(folder.path() / "f", "figure1",
-                  {"membrane, point", "disc of 16.5 nm", "sphere of 27.5 nm", "neo-Hookean", "softening law", "342 ± 30", "a = 0.75"});
+                  {"membrane, point", "disc of 16.5 nm", "sphere of 27.5 nm", "neo-Hookean", "softening law",
+                   "342 ± 30", "a = 0.75"});
   EXPECT_FALSE(fs::exists(folder.path() / "f" / "work"));
   EXPECT_NE(outcome.out.find("depth at 1500 nN"), std::string::npos);
 }

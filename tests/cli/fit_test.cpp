@@ -18,13 +18,13 @@ const std::string measured = std::string(SOURCE_INPUTS) + "/measured/";
 
 TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate({"fit", measured + "synthetic-034.csv", measured + "synthetic-007.csv",
-                                        measured + "synthetic-sphere.csv", "--bootstrap", "50", "--json", "-", "--out", "out"},
-                                       folder.path());
+  const Outcome outcome =
+      run_validate({"fit", measured + "synthetic-034.csv", measured + "synthetic-007.csv",
+                    measured + "synthetic-sphere.csv", "--bootstrap", "50", "--json", "-", "--out", "out"},
+                   folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
-  EXPECT_EQ(support::JsonSchema(support::read_json(std::string(SOURCE_INPUTS) + "/fit.schema.json"))
-                .problems(document),
+  EXPECT_EQ(support::JsonSchema(support::read_json(std::string(SOURCE_INPUTS) + "/fit.schema.json")).problems(document),
             std::vector<std::string>{});
   const double pretension[] = {0.34, 0.07, 0.07};
   for (int i = 0; i < 3; ++i) {
@@ -37,8 +37,7 @@ TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
   }
   EXPECT_LT(document["curves"][2]["fit"]["pretension_N_per_m"].get<double>(),
             0.01);  // hardly any, or the wrong sign
-  for (const char* name :
-       {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-007.svg"})
+  for (const char* name : {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-007.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 
@@ -73,14 +72,11 @@ TEST(FitCommand, BadInputIsNamed) {
   expect({"curve.csv", "--radius", "0.5 um"}, {"--nu", "is needed"});
   expect({"curve.csv", "--radius", "0.5 kg", "--nu", "0.165"}, {"--radius", "kg"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "2"}, {"--nu", "< 1"});
-  expect({"curve.csv", "--radius", "10 nm", "--nu", "0.1", "--tip-radius", "11 nm"},
-         {"--tip-radius", "wider"});
+  expect({"curve.csv", "--radius", "10 nm", "--nu", "0.1", "--tip-radius", "11 nm"}, {"--tip-radius", "wider"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--model", "eq17"}, {"--model", "'eq16'?"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--model", "hencky"}, {"pressure"});
-  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "sigma"},
-         {"--weights sigma", "column"});
-  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "equal"},
-         {"--weights", "uniform"});
+  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "sigma"}, {"--weights sigma", "column"});
+  expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--weights", "equal"}, {"--weights", "uniform"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--tip", "cube"}, {"--tip", "sphere, disc"});
   expect({"curve.csv", "--radius", "0.5 um", "--nu", "0.165", "--tip-radius", "10 nm", "--model", "foeppl"},
          {"foeppl", "disc", "--tip"});
@@ -110,8 +106,8 @@ TEST(ModelCommand, GivesForces) {
   const WorkFolder folder;
   // Eq. 16 with the averages of Lee et al.: 102.64 nm at 1500 nN, a = 0.5 µm (inverse by hand: see
   // eq16_test.cpp).
-  const Outcome outcome = run_validate({"model", "eq16", "--radius", "0.5 um", "--nu", "0.165", "--Eh",
-                                        "342 N/m", "--pretension", "0.34 N/m", "--depths", "102.64 nm"},
+  const Outcome outcome = run_validate({"model", "eq16", "--radius", "0.5 um", "--nu", "0.165", "--Eh", "342 N/m",
+                                        "--pretension", "0.34 N/m", "--depths", "102.64 nm"},
                                        folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NEAR(std::stod(outcome.out.substr(outcome.out.rfind(',') + 1)), 1500, 0.5) << outcome.out;

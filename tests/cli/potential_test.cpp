@@ -91,8 +91,10 @@ TEST_F(PotentialCommand, MovesTheSwitchInACopy) {
   EXPECT_EQ(with["potential"]["artefact_bond_A"], 1.92);
   EXPECT_EQ(with["potential"]["sha256"], without["potential"]["sha256"]);
   const std::string edit = with["potential"]["edit"];
-  for (const char* word : {"rcmin_CC", "1.7", "1.92", "switched-CH.rebo"}) EXPECT_NE(edit.find(word), std::string::npos) << edit;
-  std::ifstream original(fs::path(LAMMPS_POTENTIALS_DIR) / "CH.rebo"), copy(folder_.path() / "rebo-1.92/switched-CH.rebo");
+  for (const char* word : {"rcmin_CC", "1.7", "1.92", "switched-CH.rebo"})
+    EXPECT_NE(edit.find(word), std::string::npos) << edit;
+  std::ifstream original(fs::path(LAMMPS_POTENTIALS_DIR) / "CH.rebo"),
+      copy(folder_.path() / "rebo-1.92/switched-CH.rebo");
   int different = 0;
   std::string a, b;
   while (std::getline(original, a) && std::getline(copy, b)) different += a != b;

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 Words small_run(const Words& more) {
-  Words words = {"indentation", "--radius", "15", "--potential", "tersoff", "--tip-radius", "5",
-                 "--depth-step", "1", "--depth-max", "4"};
+  Words words = {"indentation", "--radius",     "15", "--potential", "tersoff", "--tip-radius",
+                 "5",           "--depth-step", "1",  "--depth-max", "4"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -55,7 +55,8 @@ std::vector<std::string> processes_of(const fs::path& folder) {
 }
 
 bool none_left(const fs::path& folder) {
-  for (int i = 0; i < 100 && !processes_of(folder).empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  for (int i = 0; i < 100 && !processes_of(folder).empty(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return processes_of(folder).empty();
 }
 

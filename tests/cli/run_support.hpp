@@ -28,7 +28,7 @@ const nlohmann::json& run_of(const nlohmann::json& summary, const std::string& m
 
 /// Every process whose command line names this folder.
 std::vector<std::string> processes_of(const std::filesystem::path& folder);
-bool none_left(const std::filesystem::path& folder);       ///< waits up to 10 s
-bool appears(const std::filesystem::path& file);           ///< waits up to 30 s
+bool none_left(const std::filesystem::path& folder);  ///< waits up to 10 s
+bool appears(const std::filesystem::path& file);      ///< waits up to 30 s
 
 }  // namespace cli_tests

@@ -18,7 +18,8 @@ using nlohmann::json;
 
 TEST(MainJob, WritesTheWholeRunFolder) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate({"indentation", "--radius", "30", "--out", "deep/run", "--json", "copy.json"}, folder.path());
+  const Outcome outcome =
+      run_validate({"indentation", "--radius", "30", "--out", "deep/run", "--json", "copy.json"}, folder.path());
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
   const fs::path run = folder.path() / "deep" / "run";
   for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "lammps.log",
@@ -61,7 +62,8 @@ TEST(MainJob, AtomsAndContinuumAreTheSameExperiment) {
 
 TEST(MainJob, JudgesDepthsThatBracketTheWindow) {
   const WorkFolder folder;
-  run_validate(small_run({"--out", "run", "--loads", "disc", "--against", "membrane", "--window", "0.10,0.15"}), folder.path());
+  run_validate(small_run({"--out", "run", "--loads", "disc", "--against", "membrane", "--window", "0.10,0.15"}),
+               folder.path());
   const json agreement = document(folder.path() / "run" / "summary.json")["agreement"];
   const double a = document(folder.path() / "run" / "summary.json")["sheet"]["effective_radius_A"];
   EXPECT_LE(agreement["depth_A"].front().get<double>(), 0.10 * a);
@@ -72,7 +74,8 @@ TEST(MainJob, JudgesDepthsThatBracketTheWindow) {
 
 TEST(MainJob, TheSheetsWindowReachesFromThreePercentToLongBonds) {
   const WorkFolder folder;
-  run_validate({"indentation", "--radius", "20", "--potential", "tersoff", "--tip-radius", "5", "--loads", "disc", "--out", "run"},
+  run_validate({"indentation", "--radius", "20", "--potential", "tersoff", "--tip-radius", "5", "--loads", "disc",
+                "--out", "run"},
                folder.path());
   const json summary = document(folder.path() / "run" / "summary.json");
   ASSERT_FALSE(summary["agreement"].is_null()) << summary["agreement_skipped"];
@@ -103,8 +106,8 @@ TEST(MainJob, DeadForcesAreReportedExactlyAndInOrder) {
 TEST(MainJob, AMembraneOfGivenConstantsNeedsNoAtoms) {
   const WorkFolder folder;
   const Outcome outcome = run_validate(
-      {"indentation", "--models", "membrane", "--radius", "0.5 um", "--thickness", "0.335 nm", "--E", "1.0209 TPa", "--nu",
-       "0.165", "--pretension", "0.34 N/m", "--loads", "disc", "--tip-radius", "1 nm", "--json", "-"},
+      {"indentation", "--models", "membrane", "--radius", "0.5 um", "--thickness", "0.335 nm", "--E", "1.0209 TPa",
+       "--nu", "0.165", "--pretension", "0.34 N/m", "--loads", "disc", "--tip-radius", "1 nm", "--json", "-"},
       folder.path(), {"PATH=/nowhere"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const json summary = json::parse(outcome.out);  // nothing else on stdout
@@ -167,20 +170,24 @@ TEST(RunFolder, ThatCannotBeWrittenIsExitCodeSix) {
 
 TEST(Failure, APairStyleThatLammpsLacksIsBadInput) {
   const WorkFolder folder, work;
-  folder.write("bad.toml",
-               "pair_style = \"tersof\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
+  folder.write(
+      "bad.toml",
+      "pair_style = \"tersof\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
   const std::string path = (folder.path() / "bad.toml").string();
-  expect_says(run_validate({"indentation", "--radius", "15", "--potential", path, "--tip-radius", "5", "--out", "run"}, work.path()),
+  expect_says(run_validate({"indentation", "--radius", "15", "--potential", path, "--tip-radius", "5", "--out", "run"},
+                           work.path()),
               2, {"pair_style", "'tersof'", "tersoff/mod"});
   EXPECT_TRUE(fs::is_empty(work.path()));
 }
 
 TEST(Failure, LammpsErrorsAreQuotedWithTheLog) {
   const WorkFolder folder;
-  folder.write("bad.toml",
-               "pair_style = \"tersoff 7\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
-  const Outcome outcome = run_validate(
-      {"indentation", "--radius", "15", "--potential", "bad.toml", "--tip-radius", "5", "--depth-step", "1", "--out", "run"}, folder.path());
+  folder.write(
+      "bad.toml",
+      "pair_style = \"tersoff 7\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\ninteraction_range = 5\n");
+  const Outcome outcome = run_validate({"indentation", "--radius", "15", "--potential", "bad.toml", "--tip-radius", "5",
+                                        "--depth-step", "1", "--out", "run"},
+                                       folder.path());
   expect_says(outcome, 5, {"potential card", "ERROR", "tersoff 7", "pair_style", "log.lammps"});
   expect_valid(document(folder.path() / "run" / "summary.json"));  // what there is, is written
   EXPECT_TRUE(document(folder.path() / "run" / "summary.json")["card"].is_null());
@@ -207,7 +214,8 @@ class StoppedBy : public testing::TestWithParam<int> {};
 /// A run that is stopped after its second depth goes on with --resume and ends with the numbers of a run that was not.
 TEST_P(StoppedBy, ASignalARunCanBeResumed) {
   const WorkFolder folder;
-  Words words = {"indentation", "--radius", "30", "--potential", "rebo", "--loads", "disc", "--depth-step", "0.6", "--ranks", "2"};
+  Words words = {"indentation", "--radius",     "30",  "--potential", "rebo", "--loads",
+                 "disc",        "--depth-step", "0.6", "--ranks",     "2"};
   const auto into = [&](const std::string& out, const Words& more = {}) {
     Words all = words;
     all.insert(all.end(), {"--out", out});
@@ -224,7 +232,8 @@ TEST_P(StoppedBy, ASignalARunCanBeResumed) {
   EXPECT_TRUE(none_left(folder.path())) << "orphans";
   EXPECT_FALSE(fs::exists(folder.path() / "cut/summary.json"));
   expect_says(run_validate(into("cut"), folder.path()), 2, {"unfinished run", "--resume", "--overwrite"});
-  expect_says(run_validate(into("cut", {"--resume", "--pretension", "0.1"}), folder.path()), 2, {"changed", "pretension"});
+  expect_says(run_validate(into("cut", {"--resume", "--pretension", "0.1"}), folder.path()), 2,
+              {"changed", "pretension"});
 
   const Outcome resumed = run_validate(into("cut", {"--resume"}), folder.path());
   EXPECT_TRUE(resumed.exit_code == 0 || resumed.exit_code == 3) << resumed.err;
@@ -243,8 +252,10 @@ INSTANTIATE_TEST_SUITE_P(Signal, StoppedBy, testing::Values(SIGKILL, SIGTERM, SI
 TEST(Resume, APotentialThatHasChangedIsRefused) {
   const WorkFolder folder;
   const auto potential = [&](const std::string& range) {
-    folder.write("mine.toml", "pair_style = \"tersoff\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\n"
-                              "interaction_range = " + range + "\n");
+    folder.write("mine.toml",
+                 "pair_style = \"tersoff\"\npair_coeff = [\"* * {file} C\"]\nfile = \"BNC.tersoff\"\n"
+                 "interaction_range = " +
+                     range + "\n");
   };
   const Words words = small_run({"--out", "run", "--loads", "disc"});
   const auto with_mine = [&](const Words& more) {
@@ -268,8 +279,9 @@ TEST(Resume, APotentialThatHasChangedIsRefused) {
 
 TEST(Failure, AKilledRankIsNamedWithItsSignal) {
   const WorkFolder folder;
-  RunningValidate running({"indentation", "--radius", "30", "--loads", "disc", "--depth-step", "0.5", "--ranks", "1", "--out", "run"},
-                          folder.path());
+  RunningValidate running(
+      {"indentation", "--radius", "30", "--loads", "disc", "--depth-step", "0.5", "--ranks", "1", "--out", "run"},
+      folder.path());
   ASSERT_TRUE(appears(folder.path() / "run/work/disc/steps/step-0000.bin"));
   for (const auto& entry : fs::directory_iterator("/proc")) {
     std::ifstream in(entry.path() / "cmdline", std::ios::binary);
@@ -289,8 +301,9 @@ TEST(Failure, TwoRunsCannotShareAFolder) {
   const WorkFolder folder;
   RunningValidate first({"indentation", "--radius", "30", "--loads", "disc", "--out", "run"}, folder.path());
   ASSERT_TRUE(appears(folder.path() / "run/work/case.json"));
-  expect_says(run_validate({"indentation", "--radius", "30", "--loads", "disc", "--out", "run", "--resume"}, folder.path()), 2,
-              {"in use"});
+  expect_says(
+      run_validate({"indentation", "--radius", "30", "--loads", "disc", "--out", "run", "--resume"}, folder.path()), 2,
+      {"in use"});
   kill(first.pid(), SIGTERM);
   first.wait();
 }

@@ -15,8 +15,8 @@ using nlohmann::json;
 
 TEST(Sphere, PressesBothSheetsAlikeAndCanBeJudged) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate(
-      small_run({"--out", "run", "--loads", "sphere", "--judged-load", "sphere"}), folder.path());
+  const Outcome outcome =
+      run_validate(small_run({"--out", "run", "--loads", "sphere", "--judged-load", "sphere"}), folder.path());
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
   const json summary = document(folder.path() / "run" / "summary.json");
   expect_valid(summary);
@@ -27,8 +27,8 @@ TEST(Sphere, PressesBothSheetsAlikeAndCanBeJudged) {
   EXPECT_EQ(card["record_radius_A"], atoms["record_radius_A"]);
   EXPECT_EQ(summary["agreement"]["load"], "sphere");
   EXPECT_GE(summary["agreement"]["depth_A"].size(), 2u);
-  // The depth of record is the sheet's at one bond from the axis: above the sphere's lowest point there by b²/2R, and by
-  // what the atom has sunk in.
+  // The depth of record is the sheet's at one bond from the axis: above the sphere's lowest point there by b²/2R, and
+  // by what the atom has sunk in.
   const double bond = atoms["record_radius_A"], rise = 5 - std::sqrt(25 - bond * bond);
   const double travel = atoms["conjugate_depth_A"].back(), depth = atoms["depth_A"].back();
   const double sunk = atoms["contact"]["deepest_penetration_A"];

@@ -15,8 +15,8 @@ using nlohmann::json;
 
 TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
   const WorkFolder folder;
-  const Outcome outcome = run_validate(
-      {"verify", "membrane", "--group", "patch", "--out", "out", "--json", "rows.json"}, folder.path());
+  const Outcome outcome =
+      run_validate({"verify", "membrane", "--group", "patch", "--out", "out", "--json", "rows.json"}, folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_NE(outcome.err.find("patch: "), std::string::npos) << outcome.err;
   std::ifstream file(folder.path() / "rows.json");
@@ -38,8 +38,7 @@ TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
   std::ifstream csv(folder.path() / "out" / "verify.csv");
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line,
-            "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note");
+  EXPECT_EQ(line, "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note");
   std::size_t lines = 0;
   while (std::getline(csv, line)) ++lines;
   EXPECT_EQ(lines, rows);

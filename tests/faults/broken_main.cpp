@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "compare/cli/verify.hpp"
 #include "compare/base/errors.hpp"
+#include "compare/cli/verify.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("validate verify with faults", "validate_broken");

@@ -36,9 +36,7 @@ const Found all_found[] = {
     {"uneven-load", "disc", "centre depth, A"},
 };
 
-std::vector<std::string> command(const char* group) {
-  return {"verify", "membrane", "--quiet", "--group", group};
-}
+std::vector<std::string> command(const char* group) { return {"verify", "membrane", "--quiet", "--group", group}; }
 
 class Fault : public ::testing::TestWithParam<Found> {};
 
@@ -49,10 +47,8 @@ TEST_P(Fault, MakesVerifyFail) {
   const Outcome outcome = run_validate(words, folder.path());
   EXPECT_EQ(outcome.exit_code, 3) << outcome.out << outcome.err;
   bool named = false;
-  for (std::size_t at = outcome.out.find("FAIL"); at != std::string::npos;
-       at = outcome.out.find("FAIL", at + 1))
-    named = named ||
-            outcome.out.substr(at, outcome.out.find('\n', at) - at).find(GetParam().row) != std::string::npos;
+  for (std::size_t at = outcome.out.find("FAIL"); at != std::string::npos; at = outcome.out.find("FAIL", at + 1))
+    named = named || outcome.out.substr(at, outcome.out.find('\n', at) - at).find(GetParam().row) != std::string::npos;
   EXPECT_TRUE(named) << outcome.out;
 }
 

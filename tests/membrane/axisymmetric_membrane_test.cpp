@@ -36,8 +36,7 @@ TEST(AxisymmetricMembrane, PointLoadIsSchwerinsExactSolutionAtAnyDepth) {
 // α(ν) of F = α E·h δ³/a² and β(ν) of what pretension adds, β π N0 δ: Föppl–von Kármán, computed separately
 // from r² ψ'' + r ψ' − ψ = −(E·h/2) r w'², ψ w' = −F/2π.
 TEST(AxisymmetricMembrane, PointLoadFactorsOfSmallSlopes) {
-  for (const auto& [nu, alpha] :
-       {std::pair{0.0, 0.86099}, {0.165, 0.93770}, {0.19, 0.95155}, {0.3, 1.02206}}) {
+  for (const auto& [nu, alpha] : {std::pair{0.0, 0.86099}, {0.165, 0.93770}, {0.19, 0.95155}, {0.3, 1.02206}}) {
     const double delta = 2e-3 * a;
     const double F = run(membrane_problem(nu, PointLoad{}, {delta}))[0].force_eV_per_A;
     EXPECT_NEAR(F * a * a / (modulus * std::pow(delta, 3)), alpha, 1e-5) << nu;
@@ -104,8 +103,7 @@ TEST(AxisymmetricMembrane, ShallowDiscUnderPretension) {
     problem.pretension_eV_per_A2 = N0;
     const SheetStep step = run(problem)[0];
     EXPECT_NEAR(step.force_eV_per_A / step.depth_A * (std::log(a / c) + 0.5) / (2 * pi * N0), 1, 1e-6);
-    EXPECT_NEAR(step.force_eV_per_A / step.conjugate_depth_A * (std::log(a / c) + 0.25) / (2 * pi * N0), 1,
-                1e-6);
+    EXPECT_NEAR(step.force_eV_per_A / step.conjugate_depth_A * (std::log(a / c) + 0.25) / (2 * pi * N0), 1, 1e-6);
   }
 }
 
@@ -137,8 +135,7 @@ TEST(AxisymmetricBulge, FiniteStrain) {
                                          {0.19, 1e-2, 0.14715508603},
                                          {0.19, 1e-1, 0.322848159809},
                                          {0.3, 1e-1, 0.309515381929}})
-    EXPECT_NEAR(run(membrane_problem(nu, PressureLoad{}, {load * modulus / a}))[0].depth_A / (a * height), 1,
-                1e-8);
+    EXPECT_NEAR(run(membrane_problem(nu, PressureLoad{}, {load * modulus / a}))[0].depth_A / (a * height), 1, 1e-8);
 }
 
 // Free rim, nothing stretches: the Mylar balloon, w0/R = 0.599070 with R/a = 0.762760 (Paulsen, Am. Math.
@@ -194,8 +191,8 @@ TEST(AxisymmetricSphere, IsNotPassed) {
   }
 }
 
-// A pressure beside the sphere: what the rim bears is both; where the pressure alone carries the sheet deeper than the sphere
-// goes, the sphere bears nothing.
+// A pressure beside the sphere: what the rim bears is both; where the pressure alone carries the sheet deeper than the
+// sphere goes, the sphere bears nothing.
 TEST(AxisymmetricSphere, SharesTheSheetWithAPressure) {
   for (double pressure : {1e-3, -1e-3}) {
     SheetProblem problem = membrane_problem(0.2, SphereLoad{20}, {8, 14, 20, 26});

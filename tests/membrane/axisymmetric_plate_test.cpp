@@ -86,8 +86,7 @@ TEST(AxisymmetricPlate, GoesOverIntoTheMembrane) {
   plate.bending_modulus_eV = 0;
   const auto soft = run(plate);
   std::vector<double> excess;
-  for (std::size_t i = 0; i < stiff.size(); ++i)
-    excess.push_back(stiff[i].force_eV_per_A / soft[i].force_eV_per_A - 1);
+  for (std::size_t i = 0; i < stiff.size(); ++i) excess.push_back(stiff[i].force_eV_per_A / soft[i].force_eV_per_A - 1);
   EXPECT_GT(excess[0], 1);
   EXPECT_GT(excess[1], 0.1);
   EXPECT_LT(excess[2], 0.03);

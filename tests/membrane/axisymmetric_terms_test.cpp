@@ -63,12 +63,10 @@ TEST(AxisymmetricTerm, DerivativesAreThoseOfTheEnergy) {
       const LocalState v = random(6);
       const Density at = density(y);
       const double size = 1 + at.hessian.norm();
-      expect_order(
-          [&](double t) { return std::abs(density(y + t * v).value - at.value - t * at.gradient.dot(v)); },
-          1e-4, 2, 1e-15 * size);
-      expect_order(
-          [&](double t) { return (density(y + t * v).gradient - at.gradient - t * at.hessian * v).norm(); },
-          1e-4, 2, 1e-14 * size);
+      expect_order([&](double t) { return std::abs(density(y + t * v).value - at.value - t * at.gradient.dot(v)); },
+                   1e-4, 2, 1e-15 * size);
+      expect_order([&](double t) { return (density(y + t * v).gradient - at.gradient - t * at.hessian * v).norm(); },
+                   1e-4, 2, 1e-14 * size);
       EXPECT_LE((at.hessian - at.hessian.transpose()).norm(), 1e-14 * size);
     }
   }
@@ -81,13 +79,12 @@ LocalState on_curve(double r, double r1, double r2, double z, double z1, double 
 
 TEST(AxisymmetricTerm, BendingOfASphereIsExactAtAnyRotationAndStretch) {
   const double R = 9;
-  for (double pace :
-       {1 / R, 0.7 / R, 1.4 / R})  // angle over reference radius: unstretched, shortened, stretched
+  for (double pace : {1 / R, 0.7 / R, 1.4 / R})  // angle over reference radius: unstretched, shortened, stretched
     for (double angle : {0.1, 0.8, 1.57, 2.5}) {
       const double c = std::cos(angle);
       const double sn = std::sin(angle);
-      const LocalState y = on_curve(R * sn, R * pace * c, -R * pace * pace * sn, -R * (1 - c), -R * pace * sn,
-                                    -R * pace * pace * c);
+      const LocalState y =
+          on_curve(R * sn, R * pace * c, -R * pace * pace * sn, -R * (1 - c), -R * pace * sn, -R * pace * pace * c);
       EXPECT_NEAR(Bending{0.966}(ring, y).value, 0.5 * 0.966 * 4 / (R * R), 1e-15);
     }
 }
@@ -106,8 +103,8 @@ TEST(AxisymmetricTerm, BendingDoesNotSeeHowTheMeridianIsParametrised) {
     const double c = std::cos(angle);
     const double sn = std::sin(angle);
     const double R = 5;
-    return Bending{1}(ring, on_curve(12 + R * sn, R * pace * c, R * (acceleration * c - pace * pace * sn),
-                                     R * c, -R * pace * sn, -R * (acceleration * sn + pace * pace * c)))
+    return Bending{1}(ring, on_curve(12 + R * sn, R * pace * c, R * (acceleration * c - pace * pace * sn), R * c,
+                                     -R * pace * sn, -R * (acceleration * sn + pace * pace * c)))
         .value;
   };
   EXPECT_NEAR(value(0.2, 0.05), value(0.2, 0), 1e-16);
@@ -127,12 +124,10 @@ TEST(AxisymmetricTerm, VolumeOfAConeAndASphericalCap) {
       x[dofs_per_node * n + 2] = depth(assembly.nodes()[n]);
       x[dofs_per_node * n + 3] = slope(assembly.nodes()[n]);
     }
-    return -assembly.sum(
-        x, [](const Ring& at, const LocalState& y) { return at.area_A2 * Pressure{1}(at, y).value; });
+    return -assembly.sum(x, [](const Ring& at, const LocalState& y) { return at.area_A2 * Pressure{1}(at, y).value; });
   };
   const double pi = std::acos(-1);
-  EXPECT_NEAR(volume([](double r) { return 0.3 * (10 - r); }, [](double) { return -0.3; }),
-              pi * 1000 * 0.3 / 3, 1e-9);
+  EXPECT_NEAR(volume([](double r) { return 0.3 * (10 - r); }, [](double) { return -0.3; }), pi * 1000 * 0.3 / 3, 1e-9);
   const double R = 12.5;  // cap of depth 5: 100 = 5 (2 R − 5)
   EXPECT_NEAR(volume([&](double r) { return std::sqrt(R * R - r * r) - (R - 5); },
                      [&](double r) { return -r / std::sqrt(R * R - r * r); }),
@@ -165,9 +160,8 @@ TEST(AxisymmetricAssembly, GradientAndHessianAreThoseOfTheEnergy) {
   Eigen::VectorXd Kv = K * v;
   assembly.release_held(Kv);
   Eigen::VectorXd other;
-  expect_order(
-      [&](double t) { return std::abs(assembly.energy(x + t * v, other) - energy - t * gradient.dot(v)); },
-      1e-2, 2, 1e-10);
+  expect_order([&](double t) { return std::abs(assembly.energy(x + t * v, other) - energy - t * gradient.dot(v)); },
+               1e-2, 2, 1e-10);
   expect_order(
       [&](double t) {
         assembly.energy(x + t * v, other);

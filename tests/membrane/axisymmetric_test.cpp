@@ -19,8 +19,8 @@ double slope(const std::vector<SheetStep>& steps, double SheetStep::*along) {
   return (steps[2].energy_eV - steps[0].energy_eV) / (steps[2].*along - steps[0].*along);
 }
 
-// A law that softens has no lowest energy under a point, and under a small sphere only while strains stay below the law's end,
-// here 0.2 in equal tension.
+// A law that softens has no lowest energy under a point, and under a small sphere only while strains stay below the
+// law's end, here 0.2 in equal tension.
 TEST(AxisymmetricSheet, ALawThatSoftensFindsItsSphere) {
   for (double tip : {3.63, 5.5, 22.0, 55.0})
     for (double kappa : {0.0, 1.0}) {

@@ -6,8 +6,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/bending/bending.hpp"
+#include "membrane/meridian/sheet.hpp"
 #include "plate_meshes.hpp"
 #include "plate_solver.hpp"
 
@@ -87,13 +87,11 @@ TEST(BendingSheet, CantileverIsTheElastica) {
   load *= kappa * B / (L * L) / load.sum();  // P L²/EI = 1
   const PlateSolver solver(mesh, bending, {1e4 * kappa / (L * L), 0}, prescribed);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(load.size());
-  for (const auto& [force, across, along] : {std::tuple{1.0, 0.30172, 0.05643},
-                                             {2.0, 0.49346, 0.16064},
-                                             {3.0, 0.60325, 0.25442},
-                                             {5.0, 0.71379, 0.38763}}) {
+  for (const auto& [force, across, along] :
+       {std::tuple{1.0, 0.30172, 0.05643}, {2.0, 0.49346, 0.16064}, {3.0, 0.60325, 0.25442}, {5.0, 0.71379, 0.38763}}) {
     x = solver.solve(force * load, x);
-    std::cout << "elastica " << force << ": " << x[3 * tip + 2] / L / across - 1 << ' '
-              << -x[3 * tip] / L / along - 1 << '\n';
+    std::cout << "elastica " << force << ": " << x[3 * tip + 2] / L / across - 1 << ' ' << -x[3 * tip] / L / along - 1
+              << '\n';
     EXPECT_NEAR(x[3 * tip + 2] / L, across, 0.005 * across);
     EXPECT_NEAR(-x[3 * tip] / L, along, 0.005 * along);
   }
@@ -139,8 +137,8 @@ TEST(BendingSheet, CrossoverFromPlateToMembrane) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(load.size());
     for (double share : {0.3, 1.0}) x = solver.solve(share * load, x);
     const double excess = x[2] / exact - 1;
-    std::cout << "crossover, depth/a " << exact / a << ", " << mesh.triangles.size()
-              << " triangles: " << excess << '\n';
+    std::cout << "crossover, depth/a " << exact / a << ", " << mesh.triangles.size() << " triangles: " << excess
+              << '\n';
     return excess;
   };
   const double coarse = error(8);

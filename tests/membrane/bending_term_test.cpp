@@ -4,12 +4,12 @@
 #include <cmath>
 #include <iostream>
 
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/bending/term.hpp"
 #include "membrane/loads/pattern.hpp"
-#include "membrane/triangles/newton.hpp"
+#include "membrane/meridian/sheet.hpp"
 #include "membrane/sheets/sheet.hpp"
 #include "membrane/terms/stretching.hpp"
+#include "membrane/triangles/newton.hpp"
 #include "taylor.hpp"
 
 namespace membrane::testing {
@@ -53,17 +53,15 @@ TEST(BendingTerm, HessianIsThatOfTheEnergy) {
   BentDisc disc(8);
   Eigen::VectorXd u =
       Eigen::VectorXd::NullaryExpr(disc.total.dof_count(), [](Eigen::Index i) { return std::sin(3.7 * i); });
-  Eigen::VectorXd v =
-      Eigen::VectorXd::NullaryExpr(u.size(), [](Eigen::Index i) { return std::cos(1.3 * i * i); });
+  Eigen::VectorXd v = Eigen::VectorXd::NullaryExpr(u.size(), [](Eigen::Index i) { return std::cos(1.3 * i * i); });
   disc.total.release_held(u);
   disc.total.release_held(v);
   Eigen::VectorXd gradient, other;
   const double energy = disc.total.energy(u, gradient);
   const Hessian::Matrix& K = disc.total.hessian(u);
   Eigen::VectorXd Kv = K.selfadjointView<Eigen::Lower>() * v;
-  expect_order(
-      [&](double t) { return std::abs(disc.total.energy(u + t * v, other) - energy - t * gradient.dot(v)); },
-      1e-4, 2, 1e-12 * energy);
+  expect_order([&](double t) { return std::abs(disc.total.energy(u + t * v, other) - energy - t * gradient.dot(v)); },
+               1e-4, 2, 1e-12 * energy);
   expect_order(
       [&](double t) {
         disc.total.energy(u + t * v, other);
@@ -108,8 +106,8 @@ TEST(BendingTerm, DiscIsTheOneDimensionalSheet) {
       const Equilibrium at = newton.solve({Control::conjugate_depth, depths[i]}, u);
       EXPECT_TRUE(at.converged) << at.reason;
       errors_at.push_back(disc.mesh.copies * at.force_eV_per_A / exact[i] - 1);
-      std::cout << rings << " rings, depth " << depths[i] << ": " << errors_at.back() << " in force, "
-                << at.iterations << " steps\n";
+      std::cout << rings << " rings, depth " << depths[i] << ": " << errors_at.back() << " in force, " << at.iterations
+                << " steps\n";
       before = depths[i];
     }
     return errors_at;

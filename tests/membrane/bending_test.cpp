@@ -55,18 +55,16 @@ TEST(Hinge, DerivativesAreThoseOfTheAngle) {
   EXPECT_EQ(at.gradient, hinge_slope(flat));
   EXPECT_GT(std::abs(at.angle), 0.3);
   EXPECT_LE((at.hessian - at.hessian.transpose()).norm(), 1e-14);
-  expect_order([&](double t) { return std::abs(hinge_angle(moved(t)) - at.angle - t * at.gradient.dot(v)); },
-               1e-3, 2, 1e-15);
-  expect_order([&](double t) { return (hinge_slope(moved(t)) - at.gradient - t * at.hessian * v).norm(); },
-               1e-3, 2, 1e-15);
+  expect_order([&](double t) { return std::abs(hinge_angle(moved(t)) - at.angle - t * at.gradient.dot(v)); }, 1e-3, 2,
+               1e-15);
+  expect_order([&](double t) { return (hinge_slope(moved(t)) - at.gradient - t * at.hessian * v).norm(); }, 1e-3, 2,
+               1e-15);
 }
 
 TEST(Hinge, IsPositiveWhereTheSurfaceIsConvex) {
   // Seen from +z: a ridge along x, its sides falling by 0.3 and 0.5.
-  const HingeCorners ridge{Eigen::Vector3d(0, 0, 0),
-                           {1, 0, 0},
-                           {0.5, std::cos(0.3), -std::sin(0.3)},
-                           {0.5, -std::cos(0.5), -std::sin(0.5)}};
+  const HingeCorners ridge{
+      Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {0.5, std::cos(0.3), -std::sin(0.3)}, {0.5, -std::cos(0.5), -std::sin(0.5)}};
   EXPECT_NEAR(hinge_angle(ridge), 0.8, 1e-15);
 }
 
@@ -75,8 +73,7 @@ TEST(Bending, GradientAndHessianAreThoseOfTheEnergy) {
   const auto mixed = [](int a, int b) { return (a + b) % 2 == 0 ? SlopeSupport::held : SlopeSupport::free; };
   const Bending bending(mesh.nodes, mesh.triangles, moduli, mixed);
   Shape at(mesh, bending, [](const Eigen::Vector2d& x) {
-    return Eigen::Vector3d(0.9 * x[0], x[1] + 0.02 * x[0] * x[0],
-                           0.06 * x[0] * x[0] - 0.03 * x[0] * x[1] + 0.2 * x[1]);
+    return Eigen::Vector3d(0.9 * x[0], x[1] + 0.02 * x[0] * x[0], 0.06 * x[0] * x[0] - 0.03 * x[0] * x[1] + 0.2 * x[1]);
   });
   at.rotations = 0.1 * random_vector(at.rotations.size());
   const Eigen::Index n = at.u.size();
@@ -104,15 +101,13 @@ TEST(Bending, GradientAndHessianAreThoseOfTheEnergy) {
         return std::abs(other - energy - t * g.dot(v));
       },
       1e-3, 2, 1e-13 * energy);
-  expect_order([&](double t) { return (gradient(t, other) - g - t * (K * v)).norm(); }, 1e-3, 2,
-               1e-13 * K.norm());
+  expect_order([&](double t) { return (gradient(t, other) - g - t * (K * v)).norm(); }, 1e-3, 2, 1e-13 * K.norm());
 }
 
 TEST(Bending, RigidMotionsAreFree) {
   const PlateMesh mesh = irregular_disc(10, 4);
   const Bending bending = bending_of(mesh, free_edge);
-  const Eigen::Matrix3d R =
-      Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -0.4, 0.7).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -0.4, 0.7).normalized()).toRotationMatrix();
   const Shape at(mesh, bending, [&](const Eigen::Vector2d& x) {
     return Eigen::Vector3d(R * Eigen::Vector3d(x[0], x[1], 0) + Eigen::Vector3d(3, -2, 8));
   });
@@ -129,10 +124,8 @@ double tilt(const PlateMesh& mesh, std::array<int, 2> ends, const Eigen::VectorX
   for (const auto& t : mesh.triangles) {
     if (std::count(t.begin(), t.end(), ends[0]) + std::count(t.begin(), t.end(), ends[1]) < 2) continue;
     Eigen::Matrix2d edges;
-    edges << (mesh.nodes[t[1]] - mesh.nodes[t[0]]).transpose(),
-        (mesh.nodes[t[2]] - mesh.nodes[t[0]]).transpose();
-    flat += edges.inverse() *
-            Eigen::Vector2d(u[3 * t[1] + 2] - u[3 * t[0] + 2], u[3 * t[2] + 2] - u[3 * t[0] + 2]);
+    edges << (mesh.nodes[t[1]] - mesh.nodes[t[0]]).transpose(), (mesh.nodes[t[2]] - mesh.nodes[t[0]]).transpose();
+    flat += edges.inverse() * Eigen::Vector2d(u[3 * t[1] + 2] - u[3 * t[0] + 2], u[3 * t[2] + 2] - u[3 * t[0] + 2]);
     ++triangles;
   }
   return -(slope((mesh.nodes[ends[0]] + mesh.nodes[ends[1]]) / 2) - flat / triangles).dot(outward);
@@ -145,14 +138,12 @@ TEST(Bending, ConstantCurvatureIsExactOnAnyMesh) {
   double area = 0;
   for (const auto& t : mesh.triangles) area += twice_area(mesh, t) / 2;
   const double small = 1e-5;
-  for (const auto& [a, b, c] :
-       {std::tuple{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.7, -1.3, 0.4}}) {
+  for (const auto& [a, b, c] : {std::tuple{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.7, -1.3, 0.4}}) {
     const Shape at(mesh, bending, [&, a = a, b = b, c = c](const Eigen::Vector2d& x) {
-      return Eigen::Vector3d(x[0], x[1],
-                             small * (a * x[0] * x[0] / 2 + b * x[1] * x[1] / 2 + c * x[0] * x[1]));
+      return Eigen::Vector3d(x[0], x[1], small * (a * x[0] * x[0] / 2 + b * x[1] * x[1] / 2 + c * x[0] * x[1]));
     });
-    const double exact = area * small * small *
-                         (moduli.mean_eV / 2 * (a + b) * (a + b) + moduli.gaussian_eV * (a * b - c * c));
+    const double exact =
+        area * small * small * (moduli.mean_eV / 2 * (a + b) * (a + b) + moduli.gaussian_eV * (a * b - c * c));
     Shape exact_shape = at;
     const auto slope = [&, a = a, b = b, c = c](const Eigen::Vector2d& x) {
       return Eigen::Vector2d(small * (a * x[0] + c * x[1]), small * (b * x[1] + c * x[0]));
@@ -187,12 +178,12 @@ TEST(Bending, ClampedPlateConverges) {
   const double a = 10;
   const double kappa = moduli.mean_eV;
   for (double c : {0.0, a}) {
-    const double exact = c == 0 ? a * a / (16 * pi * kappa)
-                                : (4 * a * a - 4 * c * c * std::log(a / c) - 3 * c * c) / (64 * pi * kappa);
+    const double exact =
+        c == 0 ? a * a / (16 * pi * kappa) : (4 * a * a - 4 * c * c * std::log(a / c) - 3 * c * c) / (64 * pi * kappa);
     const auto error = [&](auto make, int rings) {
       const double excess = clamped_plate(make(a, rings), c) / exact - 1;
-      std::cout << "clamped plate, load on " << c / a << " a, " << 6 * rings * rings
-                << " triangles: " << excess << '\n';
+      std::cout << "clamped plate, load on " << c / a << " a, " << 6 * rings * rings << " triangles: " << excess
+                << '\n';
       return excess;
     };
     const double regular = error(hexagonal_disc, 40);

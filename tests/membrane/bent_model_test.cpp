@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "membrane/meridian/sheet.hpp"
-#include "membrane/triangles/model.hpp"
 #include "membrane/problem.hpp"
+#include "membrane/triangles/model.hpp"
 #include "taylor.hpp"
 
 namespace membrane::testing {
@@ -108,8 +108,7 @@ void expect_same_forces(const Problem& problem, round::Load load, double toleran
 
 // From bending alone (depth/R = 0.005) to where AIREBO's bonds reach their switch (0.29).
 TEST(BentSheet, UnderADiscIsTheOneDimensionalSheet) {
-  expect_same_forces(bent_sheet(DiscLoad{c}, {0.5, 2, 4, 8, 12, 16, 20, 24, 28, 32}), round::DiscLoad{c},
-                     1.5e-3);
+  expect_same_forces(bent_sheet(DiscLoad{c}, {0.5, 2, 4, 8, 12, 16, 20, 24, 28, 32}), round::DiscLoad{c}, 1.5e-3);
 }
 
 TEST(BentSheet, UnderAPointIsTheOneDimensionalSheet) {
@@ -140,9 +139,9 @@ TEST(BentSheet, UnderPressureIsTheOneDimensionalSheet) {
 // per force (Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, art. 19).
 TEST(BentSheet, AtSmallDepthIsTheClampedPlate) {
   for (double tip : {0.0, c}) {
-    const double compliance =
-        tip == 0 ? a * a / (16 * pi * kappa)
-                 : (4 * a * a - 4 * tip * tip * std::log(a / tip) - 3 * tip * tip) / (64 * pi * kappa);
+    const double compliance = tip == 0
+                                  ? a * a / (16 * pi * kappa)
+                                  : (4 * a * a - 4 * tip * tip * std::log(a / tip) - 3 * tip * tip) / (64 * pi * kappa);
     Problem problem = bent_sheet(tip == 0 ? Load(PointLoad{}) : Load(DiscLoad{tip}), {1e-3});
     problem.record_radius_A = 0;
     const Step step = run(problem).back();
@@ -173,10 +172,8 @@ void expect_consistent(const Problem& problem, double pressure) {
   model.set_pressure(pressure);
   Eigen::VectorXd u =
       Eigen::VectorXd::NullaryExpr(total.dof_count(), [](Eigen::Index i) { return 0.3 * std::sin(3.7 * i); });
-  Eigen::VectorXd v =
-      Eigen::VectorXd::NullaryExpr(u.size(), [](Eigen::Index i) { return std::cos(1.3 * i * i); });
-  for (int n = 0; n < model.mesh().node_count(); ++n)
-    u[3 * n + 2] -= 8 * (1 - model.mesh().nodes[n].norm() / a);
+  Eigen::VectorXd v = Eigen::VectorXd::NullaryExpr(u.size(), [](Eigen::Index i) { return std::cos(1.3 * i * i); });
+  for (int n = 0; n < model.mesh().node_count(); ++n) u[3 * n + 2] -= 8 * (1 - model.mesh().nodes[n].norm() / a);
   if (std::holds_alternative<SphereLoad>(problem.load)) u[model.indenter_dof()] = -9;
   total.release_held(u);
   total.release_held(v);
@@ -185,9 +182,8 @@ void expect_consistent(const Problem& problem, double pressure) {
   const Eigen::VectorXd Kv = total.hessian(u).selfadjointView<Eigen::Lower>() * v;
   for (const Obstacle* obstacle : model.obstacles()) EXPECT_GT(obstacle->penetration(u), 0.1);
   EXPECT_GT(model.bending_energy(u), 0.1);
-  expect_order(
-      [&](double t) { return std::abs(total.energy(u + t * v, other) - energy - t * gradient.dot(v)); }, 1e-4,
-      2, 1e-12 * energy);
+  expect_order([&](double t) { return std::abs(total.energy(u + t * v, other) - energy - t * gradient.dot(v)); }, 1e-4,
+               2, 1e-12 * energy);
   expect_order(
       [&](double t) {
         total.energy(u + t * v, other);

@@ -110,8 +110,7 @@ TEST(CauchyBornTable, HoldsAPolynomialOfItsDegreeExactly) {
       const Voigt strain = principal_at(I / 2 + q, I / 2 - q, 0.4);
       EXPECT_NEAR(table(strain).energy_eV_per_A2, law(strain).energy_eV_per_A2, 1e-9) << I << ' ' << q;
       EXPECT_LE((table(strain).force_eV_per_A2 - law(strain).force_eV_per_A2).norm(), 1e-8) << I << ' ' << q;
-      EXPECT_LE((table(strain).tangent_eV_per_A2 - law(strain).tangent_eV_per_A2).norm(), 1e-6)
-          << I << ' ' << q;
+      EXPECT_LE((table(strain).tangent_eV_per_A2 - law(strain).tangent_eV_per_A2).norm(), 1e-6) << I << ' ' << q;
     }
 }
 

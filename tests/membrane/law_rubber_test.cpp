@@ -57,8 +57,7 @@ TEST(MooneyRivlin, NeoHookeanForceIsTheKnownTensor) {
       const MooneyRivlin law = neo_hookean(modulus, nu);
       const Eigen::Matrix2d C{{1 + 2 * strain[0], strain[2]}, {strain[2], 1 + 2 * strain[1]}};
       const double l3 = nu == 0.5 ? 1 / std::sqrt(C.determinant()) : law.thickness_stretch(strain);
-      const Eigen::Matrix2d S =
-          modulus / (2 * (1 + nu)) * (Eigen::Matrix2d::Identity() - l3 * l3 * C.inverse());
+      const Eigen::Matrix2d S = modulus / (2 * (1 + nu)) * (Eigen::Matrix2d::Identity() - l3 * l3 * C.inverse());
       const Voigt expected(S(0, 0), S(1, 1), S(0, 1));
       EXPECT_LE((law(strain).force_eV_per_A2 - expected).norm(), 1e-14) << name << ", nu = " << nu;
     }
@@ -73,8 +72,7 @@ TEST(MooneyRivlin, IncompressibleInClosedForm) {
     const double scale = modulus * l * l;
     // One axis: P = (l − 1/l²)(µ1 + µ2/l) = l S at the width 1/√l. Both: σ = (l² − 1/l⁴)(µ1 + µ2 l²) = l² S.
     EXPECT_NEAR(law.natural_width(green(l)), green(1 / std::sqrt(l)), 1e-14);
-    EXPECT_NEAR(law.uniaxial(green(l)).force_eV_per_A2, (l - 1 / (l * l)) * (mu1 + mu2 / l) / l,
-                1e-14 * scale);
+    EXPECT_NEAR(law.uniaxial(green(l)).force_eV_per_A2, (l - 1 / (l * l)) * (mu1 + mu2 / l) / l, 1e-14 * scale);
     const double both = (1 - std::pow(l, -6)) * (mu1 + mu2 * l * l);
     EXPECT_NEAR(law(Voigt(green(l), green(l), 0)).force_eV_per_A2[0], both, 1e-14 * scale);
     EXPECT_NEAR(law.thickness_stretch(Voigt(green(l), green(l), 0)), 1 / (l * l), 1e-15);
@@ -99,8 +97,7 @@ TEST(MooneyRivlin, ReachesItsIncompressibleLimitLinearly) {
       SCOPED_TRACE(name);
       const Response limit = MooneyRivlin{modulus, 0.5, share}(strain);
       const auto distance = [&](double below) {
-        return (MooneyRivlin{modulus, 0.5 - below, share}(strain).force_eV_per_A2 - limit.force_eV_per_A2)
-            .norm();
+        return (MooneyRivlin{modulus, 0.5 - below, share}(strain).force_eV_per_A2 - limit.force_eV_per_A2).norm();
       };
       expect_order(distance, 1e-4, 1, 1e-15);
       EXPECT_LE(distance(1e-6), 1e-5 * modulus);

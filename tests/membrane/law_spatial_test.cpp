@@ -32,9 +32,7 @@ struct LogDerivatives {
       for (int b = 0; b < 2; ++b)
         second(a, b) = slope(
             [&](const Eigen::Vector2d& x) {
-              const auto along = [&](double t) {
-                return f(Eigen::Vector2d(x + t * Eigen::Vector2d::Unit(b)));
-              };
+              const auto along = [&](double t) { return f(Eigen::Vector2d(x + t * Eigen::Vector2d::Unit(b))); };
               return (8 * (along(h) - along(-h)) - (along(2 * h) - along(-2 * h))) / (12 * h);
             },
             a);
@@ -71,16 +69,13 @@ struct Stretched {
     return T;
   }
   Voigt cauchy(const Response& at) const { return push() * at.force_eV_per_A2 / J; }
-  Eigen::Matrix3d tangent(const Response& at) const {
-    return push() * at.tangent_eV_per_A2 * push().transpose() / J;
-  }
+  Eigen::Matrix3d tangent(const Response& at) const { return push() * at.tangent_eV_per_A2 * push().transpose() / J; }
 };
 
 /// Energy of an unrelaxed law over (ln lambda1, ln lambda2).
 template <class L>
 auto log_energy(const L& law) {
-  return
-      [&law](const Eigen::Vector2d& x) { return law(Voigt(green(x[0]), green(x[1]), 0)).energy_eV_per_A2; };
+  return [&law](const Eigen::Vector2d& x) { return law(Voigt(green(x[0]), green(x[1]), 0)).energy_eV_per_A2; };
 }
 
 TEST(Spatial, PrincipalFormsOfStressAndTangentAreThePushedForwardOnes) {
@@ -95,10 +90,10 @@ TEST(Spatial, PrincipalFormsOfStressAndTangentAreThePushedForwardOnes) {
       EXPECT_LE((at.cauchy(material) - s1 * at.along - s2 * at.across).norm(), 1e-8);
       const double turning = (s1 * at.l2 * at.l2 - s2 * at.l1 * at.l1) / (at.l1 * at.l1 - at.l2 * at.l2);
       const Eigen::Matrix2d K = psi.second / at.J - 2 * Eigen::Vector2d(s1, s2).asDiagonal().toDenseMatrix();
-      const Eigen::Matrix3d spatial =
-          K(0, 0) * at.along * at.along.transpose() + K(1, 1) * at.across * at.across.transpose() +
-          K(0, 1) * (at.along * at.across.transpose() + at.across * at.along.transpose()) +
-          turning * at.shearing * at.shearing.transpose();  // Eq. 3
+      const Eigen::Matrix3d spatial = K(0, 0) * at.along * at.along.transpose() +
+                                      K(1, 1) * at.across * at.across.transpose() +
+                                      K(0, 1) * (at.along * at.across.transpose() + at.across * at.along.transpose()) +
+                                      turning * at.shearing * at.shearing.transpose();  // Eq. 3
       EXPECT_LE((at.tangent(material) - spatial).norm(), 1e-6);
     }
   });
@@ -140,8 +135,7 @@ TEST(Misprint, Equation13) {
     const double sigma = l1 * s1 / at.J;
     EXPECT_LE((at.cauchy(material) - sigma * at.along).norm(), 1e-14);
     const auto spatial = [&](double turning) -> Eigen::Matrix3d {
-      return E * l1 * l1 / at.J * at.along * at.along.transpose() +
-             turning * at.shearing * at.shearing.transpose();
+      return E * l1 * l1 / at.J * at.along * at.along.transpose() + turning * at.shearing * at.shearing.transpose();
     };
     const double corrected = sigma * l2 / (l1 - l2);
     const double printed = E * l1 * l2 * (l1 - 1) / (4 * at.J * (l1 - l2));

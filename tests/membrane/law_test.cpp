@@ -47,16 +47,14 @@ void over_laws_and_states(Visit visit) {
 }
 
 TEST(Law, UnrelaxedDerivativesAreThoseOfTheEnergy) {
-  over_laws_and_states([](const auto& law, const Voigt& strain) {
-    expect_derivatives(law, strain, law.sheet_modulus_eV_per_A2);
-  });
+  over_laws_and_states(
+      [](const auto& law, const Voigt& strain) { expect_derivatives(law, strain, law.sheet_modulus_eV_per_A2); });
 }
 
 TEST(Law, RelaxedDerivativesAreThoseOfTheEnergy) {
   over_laws_and_states([](const auto& law, const Voigt& strain) {
     if (strain.norm() == 0) return;  // rest is on the border of all three states: no tangent there
-    expect_derivatives([&](const Voigt& e) { return tension_field(law, e); }, strain,
-                       law.sheet_modulus_eV_per_A2);
+    expect_derivatives([&](const Voigt& e) { return tension_field(law, e); }, strain, law.sheet_modulus_eV_per_A2);
   });
 }
 
@@ -121,13 +119,11 @@ TEST(Law, IsTheSameFromEveryDirection) {
       return Eigen::Matrix2d{{v[0], shear * v[2]}, {shear * v[2], v[1]}};
     };
     const Eigen::Matrix2d image = turn * tensor(strain, 0.5) * turn.transpose();
-    const Response there =
-        tension_field(turned(law, 0.83), Voigt(image(0, 0), image(1, 1), 2 * image(0, 1)));
+    const Response there = tension_field(turned(law, 0.83), Voigt(image(0, 0), image(1, 1), 2 * image(0, 1)));
     const Response here = tension_field(law, strain);
     EXPECT_NEAR(there.energy_eV_per_A2, here.energy_eV_per_A2, 1e-16);
-    EXPECT_LE(
-        (tensor(there.force_eV_per_A2, 1) - turn * tensor(here.force_eV_per_A2, 1) * turn.transpose()).norm(),
-        1e-14);
+    EXPECT_LE((tensor(there.force_eV_per_A2, 1) - turn * tensor(here.force_eV_per_A2, 1) * turn.transpose()).norm(),
+              1e-14);
   });
 }
 
@@ -144,9 +140,7 @@ TEST(Law, AgreesWithStVenantKirchhoffToFirstOrderInStrain) {
     const StVenantKirchhoff svk{law.sheet_modulus_eV_per_A2, law.nu};
     for (const Voigt& way : {Voigt(1, 0, 0), Voigt(0.6, -0.35, 0.7), Voigt(1, 1, 0), Voigt(-1, 0.2, -1)})
       expect_order(
-          [&](double t) {
-            return (law(Voigt(t * way)).force_eV_per_A2 - svk(Voigt(t * way)).force_eV_per_A2).norm();
-          },
+          [&](double t) { return (law(Voigt(t * way)).force_eV_per_A2 - svk(Voigt(t * way)).force_eV_per_A2).norm(); },
           1e-4, 2, 1e-15);
   });
 }
@@ -192,8 +186,8 @@ TEST(Law, OffsetStrainCarriesThePrestress) {
 TEST(Law, OffsetStrainOfStVenantKirchhoffIsTheClosedForm) {
   const StVenantKirchhoff law{8.03368, 0.19};
   const Voigt p(0.17592, -0.05864, 0.08796);
-  const Voigt closed = Voigt((p[0] - law.nu * p[1]), (p[1] - law.nu * p[0]), 2 * (1 + law.nu) * p[2]) /
-                       law.sheet_modulus_eV_per_A2;
+  const Voigt closed =
+      Voigt((p[0] - law.nu * p[1]), (p[1] - law.nu * p[0]), 2 * (1 + law.nu) * p[2]) / law.sheet_modulus_eV_per_A2;
   EXPECT_LE((offset_strain(law, p) - closed).norm(), 1e-15);
 }
 

@@ -72,8 +72,7 @@ TEST(Path, PointLoadIsSchwerins) {
 
 TEST(Path, PointLoadDependsOnPoissonsRatioAsFoepplVonKarman) {
   // F = α E·h δ³/a² at small depth; α from the Föppl–von Kármán equation (1-D, five digits).
-  for (const auto& [nu, alpha] :
-       {std::pair{0.0, 0.86099}, {0.165, 0.93770}, {0.19, 0.95155}, {0.3, 1.02206}}) {
+  for (const auto& [nu, alpha] : {std::pair{0.0, 0.86099}, {0.165, 0.93770}, {0.19, 0.95155}, {0.3, 1.02206}}) {
     const Step step = solved_path(disc_problem(8, nu, PointLoad{}, {1.1})).at(0);
     EXPECT_NEAR(step.force_eV_per_A * 110 * 110 / (8 * std::pow(1.1, 3)) / alpha, 1, 1.5e-3) << "nu " << nu;
   }
@@ -149,8 +148,7 @@ TEST(Path, EnergyIsTheWorkDone) {
   double work = 0;
   Step before;
   for (const Step& step : solved_path(problem)) {  // Simpson would be finer; the force is smooth enough
-    work += 0.5 * (step.force_eV_per_A + before.force_eV_per_A) *
-            (step.conjugate_depth_A - before.conjugate_depth_A);
+    work += 0.5 * (step.force_eV_per_A + before.force_eV_per_A) * (step.conjugate_depth_A - before.conjugate_depth_A);
     before = step;
   }
   EXPECT_NEAR(work / before.energy_eV, 1, 1e-3);

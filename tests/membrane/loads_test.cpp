@@ -18,8 +18,7 @@ using testing::solved_path;
 
 constexpr double N_per_m = 16.02176634;  // one eV/Å²
 
-Problem disc(double modulus, double nu, double radius, Load load, Control control,
-             std::vector<double> levels) {
+Problem disc(double modulus, double nu, double radius, Load load, Control control, std::vector<double> levels) {
   Problem problem = disc_problem(modulus, nu, std::move(load), std::move(levels), radius);
   problem.control = control;
   return problem;
@@ -79,8 +78,14 @@ TEST(EdgeMotions, HubTorqueOfAWrinkledAnnulus) {
 TEST(EdgeMotions, StretchedStripFollowsHooke) {
   // Both ends clamped, long strip: uniaxial in the middle: N = E·h E11 there by the relaxed law.
   Problem problem;
-  problem.sheet = RectangleSheet{.length_x_A = 400, .length_y_A = 40, .cells_x = 80, .cells_y = 8, .extent = Extent::full,
-                                 .left = Support::clamped, .right = Support::clamped, .bottom = Support::free,
+  problem.sheet = RectangleSheet{.length_x_A = 400,
+                                 .length_y_A = 40,
+                                 .cells_x = 80,
+                                 .cells_y = 8,
+                                 .extent = Extent::full,
+                                 .left = Support::clamped,
+                                 .right = Support::clamped,
+                                 .bottom = Support::free,
                                  .top = Support::free};
   problem.law = StVenantKirchhoff{8, 0.3};
   problem.load = EdgeMotion{.edge = Edge::right, .translation_A = {1, 0, 0}};

@@ -22,9 +22,7 @@ TEST(Misprint, Equation2) {
   const double lame = E * nu / ((1 + nu) * (1 - 2 * nu));
   const double mu = E / (2 * (1 + nu));
   const double bar = 2 * lame * mu / (lame + 2 * mu);
-  const auto energy = [](double l1, double l2) {
-    return law(Voigt(green(l1), green(l2), 0)).energy_eV_per_A2;
-  };
+  const auto energy = [](double l1, double l2) { return law(Voigt(green(l1), green(l2), 0)).energy_eV_per_A2; };
   const auto corrected = [&](double l1, double l2) {
     const double a = l1 * l1 - 1;
     const double b = l2 * l2 - 1;
@@ -53,8 +51,7 @@ TEST(Misprint, Equation12) {
   };
   const double l1 = 1.05;
   const double l2 = 0.9;
-  ASSERT_EQ(sheet_state(law, principal_strains(Voigt(Voigt(green(l1), green(l2), 0) + offset))),
-            SheetState::wrinkled);
+  ASSERT_EQ(sheet_state(law, principal_strains(Voigt(Voigt(green(l1), green(l2), 0) + offset))), SheetState::wrinkled);
   const double corrected = E * green(l1) + s1 - nu * s2;
   const double printed = E * green(l1) + s1 + nu * s2;
   const double h = 1e-4;  // S1 = dψ/dE1 = (dψ/dλ1)/λ1

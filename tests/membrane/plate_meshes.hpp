@@ -27,9 +27,7 @@ inline double twice_area(const PlateMesh& mesh, const std::array<int, 3>& t) {
 inline PlateMesh hexagonal_disc(double radius, int rings) {
   PlateMesh mesh;
   mesh.nodes.push_back({0, 0});
-  const auto node = [](int ring, int k) {
-    return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + k % (6 * ring);
-  };
+  const auto node = [](int ring, int k) { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + k % (6 * ring); };
   for (int i = 1; i <= rings; ++i)
     for (int k = 0; k < 6 * i; ++k) {
       const double angle = 2 * std::numbers::pi * k / (6 * i);

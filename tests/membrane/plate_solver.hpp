@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "membrane/bending/bending.hpp"
-#include "membrane/terms/kinematics.hpp"
 #include "membrane/laws/st_venant_kirchhoff.hpp"
 #include "membrane/sheets/mesh.hpp"
+#include "membrane/terms/kinematics.hpp"
 #include "plate_meshes.hpp"
 
 namespace membrane::testing {
@@ -60,8 +60,7 @@ inline Eigen::SparseMatrix<double> hessian_of(const Bending& bending, const Shap
 inline Eigen::VectorXd solve_free(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& load,
                                   const std::vector<bool>& prescribed) {
   Eigen::SparseMatrix<double> reduced = K;
-  reduced.prune(
-      [&](Eigen::Index i, Eigen::Index j, double) { return i == j || (!prescribed[i] && !prescribed[j]); });
+  reduced.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || (!prescribed[i] && !prescribed[j]); });
   Eigen::VectorXd right = load;
   for (Eigen::Index i = 0; i < right.size(); ++i)
     if (prescribed[i]) {
@@ -76,8 +75,7 @@ inline Eigen::VectorXd solve_free(const Eigen::SparseMatrix<double>& K, const Ei
 /// A sheet that stretches and bends under dead forces: Newton's method with whole steps.
 class PlateSolver {
  public:
-  PlateSolver(const PlateMesh& mesh, const Bending& bending, StVenantKirchhoff law,
-              std::vector<bool> prescribed)
+  PlateSolver(const PlateMesh& mesh, const Bending& bending, StVenantKirchhoff law, std::vector<bool> prescribed)
       : bending_(bending), law_(law), prescribed_(std::move(prescribed)), nodes_(mesh.nodes.size()) {
     for (const auto& t : mesh.triangles) triangles_.push_back(make_triangle(mesh.nodes, t));
   }

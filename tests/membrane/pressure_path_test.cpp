@@ -81,8 +81,7 @@ TEST(VolumePath, GoesBeyondTheLargestPressure) {
   for (std::size_t i = 2; i + 1 < steps.size(); ++i) {
     const Step &before = steps[i - 1], &after = steps[i + 1];
     const double slope = (after.energy_eV - before.energy_eV) / (after.volume_A3 - before.volume_A3);
-    const double curved =
-        (pressure(i + 1) - 2 * pressure(i) + pressure(i - 1)) / 6;  // Simpson's rule for the work
+    const double curved = (pressure(i + 1) - 2 * pressure(i) + pressure(i - 1)) / 6;  // Simpson's rule for the work
     EXPECT_NEAR(slope / (pressure(i) + curved), 1, 2e-3) << i;
   }
 }

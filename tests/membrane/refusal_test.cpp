@@ -156,63 +156,63 @@ const EdgeMotion turned{.edge = Edge::right, .rotation_rad = 0.1};
 
 INSTANTIATE_TEST_SUITE_P(
     Supports, Contradictory,
-    ::testing::Values(
-        Contradiction{"load.edge",  // a corner both moves and stays
-                      [] {
-                        RectangleSheet sheet = strip();
-                        sheet.top = Support::clamped;
-                        return pulled(sheet, along);
-                      }},
-        Contradiction{"load.edge",  // a corner leaves the plane that the other edge keeps to
-                      [] {
-                        RectangleSheet sheet = strip();
-                        sheet.top = Support::sliding;
-                        return pulled(sheet, across);
-                      }},
-        Contradiction{"load.edge",  // moves, but is not held
-                      [] {
-                        RectangleSheet sheet = strip();
-                        sheet.right = Support::sliding;
-                        return pulled(sheet, along);
-                      }},
-        Contradiction{"load.edge", [] { return pulled(strip(), {.edge = Edge::hub, .rotation_rad = 0.1}); }},
-        Contradiction{"load.translation_A", [] { return pulled(strip(), {.edge = Edge::right}); }},
-        Contradiction{"load.translation_A",  // out of the symmetry plane
-                      [] {
-                        RectangleSheet sheet = strip();
-                        sheet.extent = Extent::quarter;
-                        return pulled(sheet, turned);
-                      }},
-        Contradiction{"load.translation_A",
-                      [] {
-                        Problem problem = good();
-                        problem.load = EdgeMotion{.edge = Edge::rim, .translation_A = {1, 0, 0}};
-                        problem.levels = {1};
-                        return problem;
-                      }},
-        Contradiction{"sheet.extent",
-                      [] {
-                        RectangleSheet sheet = strip();
-                        sheet.extent = Extent::quarter;
-                        sheet.left = Support::free;
-                        return pulled(sheet, along);
-                      }},
-        Contradiction{"sheet",  // nothing bears the load
-                      [] {
-                        Problem problem = good();
-                        RectangleSheet sheet = strip();
-                        sheet.left = sheet.right = Support::free;
-                        problem.sheet = sheet;
-                        problem.load = DiscLoad{5};
-                        return problem;
-                      }},
-        Contradiction{"load",  // a pressure on an open edge
-                      [] {
-                        Problem problem = good();
-                        problem.sheet = strip();
-                        problem.load = PressureLoad{};
-                        return problem;
-                      }}));
+    ::testing::Values(Contradiction{"load.edge",  // a corner both moves and stays
+                                    [] {
+                                      RectangleSheet sheet = strip();
+                                      sheet.top = Support::clamped;
+                                      return pulled(sheet, along);
+                                    }},
+                      Contradiction{"load.edge",  // a corner leaves the plane that the other edge keeps to
+                                    [] {
+                                      RectangleSheet sheet = strip();
+                                      sheet.top = Support::sliding;
+                                      return pulled(sheet, across);
+                                    }},
+                      Contradiction{"load.edge",  // moves, but is not held
+                                    [] {
+                                      RectangleSheet sheet = strip();
+                                      sheet.right = Support::sliding;
+                                      return pulled(sheet, along);
+                                    }},
+                      Contradiction{"load.edge",
+                                    [] { return pulled(strip(), {.edge = Edge::hub, .rotation_rad = 0.1}); }},
+                      Contradiction{"load.translation_A", [] { return pulled(strip(), {.edge = Edge::right}); }},
+                      Contradiction{"load.translation_A",  // out of the symmetry plane
+                                    [] {
+                                      RectangleSheet sheet = strip();
+                                      sheet.extent = Extent::quarter;
+                                      return pulled(sheet, turned);
+                                    }},
+                      Contradiction{"load.translation_A",
+                                    [] {
+                                      Problem problem = good();
+                                      problem.load = EdgeMotion{.edge = Edge::rim, .translation_A = {1, 0, 0}};
+                                      problem.levels = {1};
+                                      return problem;
+                                    }},
+                      Contradiction{"sheet.extent",
+                                    [] {
+                                      RectangleSheet sheet = strip();
+                                      sheet.extent = Extent::quarter;
+                                      sheet.left = Support::free;
+                                      return pulled(sheet, along);
+                                    }},
+                      Contradiction{"sheet",  // nothing bears the load
+                                    [] {
+                                      Problem problem = good();
+                                      RectangleSheet sheet = strip();
+                                      sheet.left = sheet.right = Support::free;
+                                      problem.sheet = sheet;
+                                      problem.load = DiscLoad{5};
+                                      return problem;
+                                    }},
+                      Contradiction{"load",  // a pressure on an open edge
+                                    [] {
+                                      Problem problem = good();
+                                      problem.sheet = strip();
+                                      problem.load = PressureLoad{};
+                                      return problem;
+                                    }}));
 
 TEST(Contradictory, WhatMakesSenseIsNot) {
   EXPECT_NO_THROW(check(pulled(strip(), along)));

@@ -25,8 +25,7 @@ inline std::vector<Step> solved_path(const Problem& problem) {
 }
 
 /// A disc of St Venant–Kirchhoff's material, default mesh.
-inline Problem disc_problem(double modulus, double nu, Load load, std::vector<double> levels,
-                            double radius = 110) {
+inline Problem disc_problem(double modulus, double nu, Load load, std::vector<double> levels, double radius = 110) {
   Problem problem;
   problem.sheet = DiscSheet{.radius_A = radius};
   problem.law = StVenantKirchhoff{modulus, nu};

@@ -38,7 +38,8 @@ inline CauchyBorn some_lattice() {
 /// The same as a table, its coefficients without any order, and with directions.
 inline CauchyBornTable some_table() {
   CauchyBornTable law{17.33, 0.3645, {-0.2, 0.35, 3}, {0, 0.18, 2}, {}};
-  for (int k = 0; k < law.coefficient_count(); ++k) law.coefficients_eV_per_A2.push_back(-4 + 1.5 * std::sin(1.7 * k * k));
+  for (int k = 0; k < law.coefficient_count(); ++k)
+    law.coefficients_eV_per_A2.push_back(-4 + 1.5 * std::sin(1.7 * k * k));
   return law;
 }
 inline CauchyBornSixfold some_hexagonal_lattice(double zigzag_rad) {
@@ -103,8 +104,7 @@ struct NamedStrain {
 inline Voigt principal_at(double e1, double e2, double angle) {
   const double mean = 0.5 * (e1 + e2);
   const double half = 0.5 * (e1 - e2);
-  return {mean + half * std::cos(2 * angle), mean - half * std::cos(2 * angle),
-          2 * half * std::sin(2 * angle)};
+  return {mean + half * std::cos(2 * angle), mean - half * std::cos(2 * angle), 2 * half * std::sin(2 * angle)};
 }
 
 inline constexpr double border_distance = 1e-4;
@@ -113,18 +113,17 @@ inline constexpr double border_distance = 1e-4;
 template <class Width>
 std::vector<NamedStrain> named_strains(Width width) {
   const double e = 0.05;
-  std::vector<NamedStrain> states{
-      {"rest", Voigt::Zero()},
-      {"nearly uniaxial", principal_at(e, width(e) + 0.01, 0)},
-      {"biaxial", principal_at(e, e, 0.3)},
-      {"nearly biaxial", principal_at(e, e - 1e-9, 0.3)},
-      {"shear", Voigt(0, 0, 0.06)},
-      {"taut, near the wrinkled border", principal_at(e, width(e) + border_distance, 0.7)},
-      {"wrinkled, near the taut border", principal_at(e, width(e) - border_distance, 0.7)},
-      {"wrinkled, near the slack border", principal_at(border_distance, -e, 1.1)},
-      {"slack, near the wrinkled border", principal_at(-border_distance, -e, 1.1)},
-      {"wrinkled", principal_at(e, -0.2, -0.4)},
-      {"slack", principal_at(-0.01, -0.02, 0.2)}};
+  std::vector<NamedStrain> states{{"rest", Voigt::Zero()},
+                                  {"nearly uniaxial", principal_at(e, width(e) + 0.01, 0)},
+                                  {"biaxial", principal_at(e, e, 0.3)},
+                                  {"nearly biaxial", principal_at(e, e - 1e-9, 0.3)},
+                                  {"shear", Voigt(0, 0, 0.06)},
+                                  {"taut, near the wrinkled border", principal_at(e, width(e) + border_distance, 0.7)},
+                                  {"wrinkled, near the taut border", principal_at(e, width(e) - border_distance, 0.7)},
+                                  {"wrinkled, near the slack border", principal_at(border_distance, -e, 1.1)},
+                                  {"slack, near the wrinkled border", principal_at(-border_distance, -e, 1.1)},
+                                  {"wrinkled", principal_at(e, -0.2, -0.4)},
+                                  {"slack", principal_at(-0.01, -0.02, 0.2)}};
   std::mt19937 random(20100407);
   std::uniform_real_distribution<double> any(-0.1, 0.1);
   for (int i = 0; i < 8; ++i)

@@ -127,9 +127,8 @@ TEST_P(Term, GradientIsThatOfTheEnergy) {
   Eigen::VectorXd gradient, unused;
   const double energy = one.total->energy(u, gradient);
   EXPECT_GT(gradient.norm(), 1e-3);
-  expect_order(
-      [&](double t) { return std::abs(one.total->energy(u + t * v, unused) - energy - t * gradient.dot(v)); }, 1e-4, 2,
-      1e-12 * (1 + std::abs(energy)));
+  expect_order([&](double t) { return std::abs(one.total->energy(u + t * v, unused) - energy - t * gradient.dot(v)); },
+               1e-4, 2, 1e-12 * (1 + std::abs(energy)));
 }
 
 TEST_P(Term, HessianIsThatOfTheEnergy) {
@@ -208,7 +207,9 @@ TEST(Patch, UniformStrainIsInEquilibriumInEveryState) {
 
 TEST(Stretching, RelaxedHessianNeverIsNegativeAndTheUnrelaxedOneIs) {
   for (bool relaxed : {true, false}) {
-    Single one([&](const Mesh& mesh) { return std::make_unique<Stretching>(mesh, Material{law, Voigt::Zero(), relaxed}); });
+    Single one([&](const Mesh& mesh) {
+      return std::make_unique<Stretching>(mesh, Material{law, Voigt::Zero(), relaxed});
+    });
     const Eigen::VectorXd u = state(one.mesh, patch_cases()[2].F, 0.2);
     const Eigen::MatrixXd H = Eigen::MatrixXd(one.total->hessian(u)).selfadjointView<Eigen::Lower>();
     const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues().minCoeff();

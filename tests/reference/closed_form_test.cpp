@@ -29,8 +29,7 @@ TEST(AnnulusTorsion, SolvesItsBoundaryValueProblem) {
     EXPECT_NEAR(shot.tangent / formula.tangent, 1, 1e-10) << b;
     EXPECT_NEAR(shot.largest_nu / formula.largest_nu, 1, 1e-10) << b;
   }
-  testing::expect_converges([](int steps) { return annulus_torsion_by_shooting(3, steps).torque; }, 8, 6,
-                            1e-14);
+  testing::expect_converges([](int steps) { return annulus_torsion_by_shooting(3, steps).torque; }, 8, 6, 1e-14);
 }
 
 // Resultants of fibres that bear tension only, e = e0 + κ y over |y| ≤ ½, by quadrature.
@@ -48,8 +47,7 @@ TEST(BentStrip, BalancesForceAndMoment) {
   };
   for (const double moment : {0.05, 1.0 / 6, 0.2, 0.25, 1.0 / 3, 0.4, 0.45}) {
     const double curvature = bent_strip_curvature(moment);  // P = E·h = H = 1
-    const double e0 =
-        root([&](double e) { return resultant(e, curvature, 0) - 1; }, -curvature / 2, curvature / 2 + 1);
+    const double e0 = root([&](double e) { return resultant(e, curvature, 0) - 1; }, -curvature / 2, curvature / 2 + 1);
     EXPECT_NEAR(resultant(e0, curvature, 1), moment, 1e-6) << moment;
     EXPECT_NEAR(std::max(0.0, 0.5 - e0 / curvature), bent_strip_band(moment), 1e-6) << moment;
   }

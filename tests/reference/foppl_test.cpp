@@ -53,9 +53,7 @@ TEST(FopplPoint, Converges) {
   }
 }
 
-double alpha(const FopplDisc& disc, int steps = 100) {
-  return std::pow(foppl_disc(disc, 1, steps).centre, -3);
-}
+double alpha(const FopplDisc& disc, int steps = 100) { return std::pow(foppl_disc(disc, 1, steps).centre, -3); }
 
 TEST(FopplDisc, AgreesWithFactorsComputedElsewhere) {
   EXPECT_NEAR(alpha({0.19, 0.01}), 1.02773, 5e-6);

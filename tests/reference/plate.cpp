@@ -75,8 +75,7 @@ struct Equations {
   Eigen::SparseMatrix<double> jacobian;
 };
 
-Equations equations(const Plate& plate, double force, const std::vector<double>& x,
-                    const Eigen::Matrix4Xd& y) {
+Equations equations(const Plate& plate, double force, const std::vector<double>& x, const Eigen::Matrix4Xd& y) {
   const auto nodes = static_cast<Eigen::Index>(x.size()), steps = (nodes - 1) / 2, last = 4 * (nodes - 1);
   Equations at{Eigen::VectorXd(4 * nodes), {4 * nodes, 4 * nodes}};
   std::vector<Eigen::Triplet<double>> entries;
@@ -113,16 +112,14 @@ bool solve(const Plate& plate, double force, const std::vector<double>& x, Eigen
     if (!step.allFinite()) return false;
     const Eigen::Map<const Eigen::Matrix4Xd> change(step.data(), 4, y.cols());
     y -= change;
-    const Eigen::Array4d size = y.cwiseAbs().rowwise().maxCoeff(),
-                         moved = change.cwiseAbs().rowwise().maxCoeff();
+    const Eigen::Array4d size = y.cwiseAbs().rowwise().maxCoeff(), moved = change.cwiseAbs().rowwise().maxCoeff();
     if ((moved <= 1e-10 * size).all()) return true;
   }
   return false;
 }
 
 // Depths and energy by Simpson's rule on the same polynomials.
-PlateState measure(const Plate& plate, double force, const std::vector<double>& x,
-                   const Eigen::Matrix4Xd& y) {
+PlateState measure(const Plate& plate, double force, const std::vector<double>& x, const Eigen::Matrix4Xd& y) {
   const double D = plate.bending, nu = plate.nu, c = plate.load_radius, N0 = plate.pretension;
   const auto energy_rate = [&](double at, const State& s) {
     const double stretching = (s[2] * s[2] + s[3] * s[3] - 2 * nu * s[2] * s[3]) / 2 - (1 - nu) * N0 * N0;
@@ -134,18 +131,15 @@ PlateState measure(const Plate& plate, double force, const std::vector<double>& 
   for (Eigen::Index i = 0; i + 1 < nodes; ++i) {
     const double h = x[i + 1] - x[i], middle = (x[i] + x[i + 1]) / 2;
     const State ym = interval(plate, force, x[i], x[i + 1], i < steps, y.col(i), y.col(i + 1)).middle;
-    const double d0 = std::exp(x[i]) * y(0, i), dm = std::exp(middle) * ym[0],
-                 d1 = std::exp(x[i + 1]) * y(0, i + 1);
+    const double d0 = std::exp(x[i]) * y(0, i), dm = std::exp(middle) * ym[0], d1 = std::exp(x[i + 1]) * y(0, i + 1);
     const double drop_after = drop + h / 6 * (d0 + 4 * dm + d1);
     const double drop_middle = (drop + drop_after) / 2 + h / 8 * (d0 - d1);
     if (i < steps) {
-      moment += h / 6 *
-                (std::exp(2 * x[i]) * drop + 4 * std::exp(2 * middle) * drop_middle +
-                 std::exp(2 * x[i + 1]) * drop_after);
+      moment +=
+          h / 6 *
+          (std::exp(2 * x[i]) * drop + 4 * std::exp(2 * middle) * drop_middle + std::exp(2 * x[i + 1]) * drop_after);
     }
-    energy +=
-        h / 6 *
-        (energy_rate(x[i], y.col(i)) + 4 * energy_rate(middle, ym) + energy_rate(x[i + 1], y.col(i + 1)));
+    energy += h / 6 * (energy_rate(x[i], y.col(i)) + 4 * energy_rate(middle, ym) + energy_rate(x[i + 1], y.col(i + 1)));
     drop = drop_after;
   }
   return {drop, drop - 2 * moment / (c * c), y(2, nodes - 1), energy};
@@ -158,8 +152,7 @@ PlateState plate(const Plate& plate, double force, int steps) {
   Eigen::Matrix4Xd y = Eigen::Matrix4Xd::Zero(4, static_cast<Eigen::Index>(x.size()));
   y.bottomRows<2>().setConstant(plate.pretension);
   double reached = 0;
-  double next =
-      std::min(force, 16 * pi * plate.bending * std::sqrt(plate.bending));  // as deep as it is thick
+  double next = std::min(force, 16 * pi * plate.bending * std::sqrt(plate.bending));  // as deep as it is thick
   while (reached < force) {
     Eigen::Matrix4Xd trial = y;
     if (reached > 0) {
@@ -172,8 +165,7 @@ PlateState plate(const Plate& plate, double force, int steps) {
       next = std::min(force, 2 * reached);
     } else {
       next = reached > 0 ? std::sqrt(next * reached) : next / 10;
-      if (next < 1.001 * reached || next < 1e-12 * force)
-        throw std::runtime_error("the plate did not converge");
+      if (next < 1.001 * reached || next < 1e-12 * force) throw std::runtime_error("the plate did not converge");
     }
   }
   return measure(plate, force, x, y);

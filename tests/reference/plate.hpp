@@ -26,7 +26,7 @@ struct PlateState {
   double centre_depth;     ///< −w(0)/a
   double conjugate_depth;  ///< mean of −w over the loaded disc, / a
   double rim_force;        ///< N_r(a)/(E·h)
-  double energy;  ///< / (E·h a²): bending ½ D m² (clamped: no Gaussian part) and stretching, 0 at rest
+  double energy;           ///< / (E·h a²): bending ½ D m² (clamped: no Gaussian part) and stretching, 0 at rest
 };
 
 /// State under F/(E·h a) > 0. `steps` for each of the inner and the outer part. Throws std::runtime_error

@@ -35,8 +35,7 @@ TEST(PlateReference, IsTightWhileShallowUnderPretension) {
 TEST(PlateReference, TightStiffnessHasItsLimits) {
   EXPECT_NEAR(tight_plate_stiffness(1, 1e-4) / (16 * pi), 1, 1e-5);
   const double l = 200;
-  EXPECT_NEAR(2 * pi / tight_plate_stiffness(1 / (l * l), 1), std::log(l / 2) + 0.5772156649 - 1 / l,
-              2 / (l * l));
+  EXPECT_NEAR(2 * pi / tight_plate_stiffness(1 / (l * l), 1), std::log(l / 2) + 0.5772156649 - 1 / l, 2 / (l * l));
 }
 
 // w0/h + (1 + nu)(173 − 73 nu)/360 (w0/h)³ = F/(64π D h) for uniform pressure: the first two terms of the
@@ -56,9 +55,7 @@ TEST(PlateReference, BendsOverIntoStretchingAsChienFound) {
 // Bending's share of the force is its layers', √D.
 TEST(PlateReference, NearsTheMembraneAsBendingVanishes) {
   const double force = 1e-2, c = 1.0 / 11, membrane = foppl_disc({0.19, c}, force).centre;
-  const auto excess = [&](double D) {
-    return std::pow(membrane / plate({0.19, c, D}, force).centre_depth, 3) - 1;
-  };
+  const auto excess = [&](double D) { return std::pow(membrane / plate({0.19, c, D}, force).centre_depth, 3) - 1; };
   const double coarse = excess(1e-7), fine = excess(1e-9);
   EXPECT_GT(fine, 0);
   EXPECT_LT(fine, 5e-4);

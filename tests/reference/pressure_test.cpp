@@ -65,9 +65,7 @@ TEST(SvkPressure, Converges) {
   const auto height = [](int steps) { return svk_pressure({1, 0.19}, 1, 0.1, Rim::clamped, steps).height; };
   testing::expect_converges(height, 16, 6, 1e-12);
   testing::expect_settled(height, 128, 1e-9);
-  const auto wrinkled = [](int steps) {
-    return svk_pressure({1, 0.3, 0, true}, 1, 1e-3, Rim::sliding, steps).height;
-  };
+  const auto wrinkled = [](int steps) { return svk_pressure({1, 0.3, 0, true}, 1, 1e-3, Rim::sliding, steps).height; };
   testing::expect_settled(wrinkled, 256, 5e-6);
 }
 

@@ -93,9 +93,7 @@ void add_plates(Computations& all) {
 void add_pressure(Computations& all) {
   all["hencky_C.nu_0.19"] = [] { return hencky(0.19).height; };
   all["hencky_C.nu_0.3"] = [] { return hencky(0.3).height; };
-  const auto height = [](double nu, double load) {
-    return svk_pressure({1, nu}, 1, load, Rim::clamped).height;
-  };
+  const auto height = [](double nu, double load) { return svk_pressure({1, nu}, 1, load, Rim::clamped).height; };
   all["svk_pressure_height.nu_0.19.load_1e-4"] = [=] { return height(0.19, 1e-4); };
   all["svk_pressure_height.nu_0.19.load_1e-3"] = [=] { return height(0.19, 1e-3); };
   all["svk_pressure_height.nu_0.19.load_1e-2"] = [=] { return height(0.19, 1e-2); };

@@ -25,9 +25,7 @@ int derivative_callback(double x, const double y[], double dy_dx[], void* raw) {
   return GSL_SUCCESS;
 }
 
-double root_callback(double x, void* raw) {
-  return (*static_cast<const std::function<double(double)>*>(raw))(x);
-}
+double root_callback(double x, void* raw) { return (*static_cast<const std::function<double(double)>*>(raw))(x); }
 
 }  // namespace
 
@@ -39,8 +37,7 @@ bool integrate(const Derivative& derivative, double begin, double end, int steps
   std::vector<double> error(state.size());
   const double h = (end - begin) / steps;
   for (int i = 0; i < steps; ++i) {
-    gsl_odeiv2_step_apply(method.get(), begin + i * h, h, state.data(), error.data(), nullptr, nullptr,
-                          &gsl_system);
+    gsl_odeiv2_step_apply(method.get(), begin + i * h, h, state.data(), error.data(), nullptr, nullptr, &gsl_system);
   }
   return std::ranges::all_of(state, [](double y) { return std::isfinite(y); });
 }
@@ -55,8 +52,7 @@ double root(const std::function<double(double)>& f, double low, double high) {
     throw std::runtime_error("no change of sign in the bracket");
   for (int i = 0; i < 200; ++i) {
     gsl_root_fsolver_iterate(solver.get());
-    const double left = gsl_root_fsolver_x_lower(solver.get()),
-                 right = gsl_root_fsolver_x_upper(solver.get());
+    const double left = gsl_root_fsolver_x_lower(solver.get()), right = gsl_root_fsolver_x_upper(solver.get());
     if (right - left <= 1e-14 * std::max(1.0, std::abs(right))) break;
   }
   return gsl_root_fsolver_root(solver.get());

@@ -35,8 +35,7 @@ std::optional<State> shoot(const SvkDisc& disc, double force, double centre_forc
   const double stretch = svk_equibiaxial_stretch(disc.sheet, centre_force);
   State y{stretch - 1, stretch * centre_force, 0, 0, 0};
   if (!integrate(slopes_under(true), std::log(start), std::log(c), steps, y)) return {};
-  if (c < disc.radius && !integrate(slopes_under(false), std::log(c), std::log(disc.radius), steps, y))
-    return {};
+  if (c < disc.radius && !integrate(slopes_under(false), std::log(c), std::log(disc.radius), steps, y)) return {};
   return y;
 }
 

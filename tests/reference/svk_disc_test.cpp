@@ -23,12 +23,8 @@ const SvkDisc figure1{{342, 0.165, 0.34}, 500, 16.5};  // Gil et al. 2010, figur
 
 // Depth and force computed with a code written separately (tests/membrane/data/case2_disc10.csv).
 TEST(SvkDisc, AgreesWithTheTableOfCase2) {
-  constexpr std::array<std::array<double, 2>, 6> table{{{10, 0.897970298},
-                                                        {20, 7.1922863},
-                                                        {30, 24.3123123},
-                                                        {40, 57.7243462},
-                                                        {50, 112.91528},
-                                                        {60, 195.376672}}};
+  constexpr std::array<std::array<double, 2>, 6> table{
+      {{10, 0.897970298}, {20, 7.1922863}, {30, 24.3123123}, {40, 57.7243462}, {50, 112.91528}, {60, 195.376672}}};
   for (const auto& [depth, force] : table)
     EXPECT_NEAR(svk_disc_at_force(case2, force).centre_depth / depth, 1, 2e-9) << depth;
   EXPECT_NEAR(svk_disc_at_depth(case2, 30).force, 24.3123123, 1e-7);
@@ -56,8 +52,7 @@ TEST(SvkDisc, IsSchwerinsSolutionAtAnyDepthForOneThird) {
     };
     const double coarse = excess(8e-7), fine = excess(1e-7);
     EXPECT_LT(std::abs(fine), 5e-5) << depth;
-    EXPECT_NEAR(coarse / fine, 4, 0.3)
-        << depth;  // (c/a)^(2/3), its factor changing with the slope at the tip
+    EXPECT_NEAR(coarse / fine, 4, 0.3) << depth;  // (c/a)^(2/3), its factor changing with the slope at the tip
   }
 }
 
@@ -85,8 +80,7 @@ TEST(SvkDisc, FollowsTheLogarithmWhileShallow) {
 
 TEST(SvkDisc, DoesAsMuchWorkAsItStores) {
   const auto remainder = [](double step) {
-    const SvkDiscState less = svk_disc_at_force(of_record, 20 - step),
-                       more = svk_disc_at_force(of_record, 20 + step);
+    const SvkDiscState less = svk_disc_at_force(of_record, 20 - step), more = svk_disc_at_force(of_record, 20 + step);
     return (more.energy - less.energy) / (more.conjugate_depth - less.conjugate_depth) / 20 - 1;
   };
   EXPECT_LT(std::abs(remainder(0.5)), 1e-3);
@@ -100,8 +94,7 @@ TEST(SvkDisc, IsTautForPositiveNuSoThatWrinklesChangeNothing) {
   relaxed.sheet.nu = -0.158;  // compressed along the hoop near the rim
   SvkDisc unrelaxed = relaxed;
   unrelaxed.sheet.wrinkles = false;
-  EXPECT_GT(svk_disc_at_force(relaxed, 20).centre_depth,
-            svk_disc_at_force(unrelaxed, 20).centre_depth * (1 + 1e-6));
+  EXPECT_GT(svk_disc_at_force(relaxed, 20).centre_depth, svk_disc_at_force(unrelaxed, 20).centre_depth * (1 + 1e-6));
 }
 
 TEST(SvkDisc, Converges) {

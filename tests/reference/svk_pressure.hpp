@@ -25,7 +25,6 @@ struct SvkPressureState {
 };
 
 /// State of a disc of material radius a under the pressure p > 0.
-SvkPressureState svk_pressure(const SvkSheet& sheet, double radius, double pressure, Rim rim,
-                              int steps = 128);
+SvkPressureState svk_pressure(const SvkSheet& sheet, double radius, double pressure, Rim rim, int steps = 128);
 
 }  // namespace reference

@@ -34,8 +34,7 @@ bool integrate_contact(const SvkSphere& sphere, double b, int steps, Contact& y,
     slope[2] = R * at.stretch * std::sin(phi);
     slope[3] = 2 * pi * R * R * at.energy;
     // Both curvatures are 1/Rt: pressure = (Cauchy forces T1/λ2 + T2/λ1) / Rt.
-    least_pressure =
-        std::min(least_pressure, (T1 / hoop_stretch + at.hoop_force / at.stretch) / sphere.tip_radius);
+    least_pressure = std::min(least_pressure, (T1 / hoop_stretch + at.hoop_force / at.stretch) / sphere.tip_radius);
   };
   return integrate(slopes, std::log(1e-6 * b), std::log(b), steps, y);
 }
@@ -84,9 +83,7 @@ SvkSphereState svk_sphere_at_contact(const SvkSphere& sphere, double contact_rad
 }
 
 SvkSphereState svk_sphere_at_depth(const SvkSphere& sphere, double depth, int steps) {
-  const auto depth_error = [&](double b) {
-    return std::log(svk_sphere_at_contact(sphere, b, steps).depth / depth);
-  };
+  const auto depth_error = [&](double b) { return std::log(svk_sphere_at_contact(sphere, b, steps).depth / depth); };
   // From below, in small steps: no equilibrium lies on a contact much too wide.
   double b = std::min(std::sqrt(sphere.tip_radius * depth), sphere.tip_radius) / 4;
   while (b > 1e-9 * sphere.radius && depth_error(b) > 0) b /= 2;

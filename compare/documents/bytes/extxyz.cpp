@@ -31,8 +31,7 @@ Box box_around(std::span<const Eigen::Vector3d> positions) {
 
 std::string extxyz(const Snapshot& sheet) {
   const std::size_t atoms = sheet.positions_A.size();
-  if (sheet.forces_eV_per_A.size() != atoms || sheet.longest_bond_A.size() != atoms ||
-      sheet.clamped.size() != atoms) {
+  if (sheet.forces_eV_per_A.size() != atoms || sheet.longest_bond_A.size() != atoms || sheet.clamped.size() != atoms) {
     throw std::invalid_argument("extxyz: positions, forces, bonds and clamp flags differ in length");
   }
   const Box box = box_around(sheet.positions_A);
@@ -46,14 +45,12 @@ std::string extxyz(const Snapshot& sheet) {
   for (std::size_t i = 0; i < atoms; ++i) {
     const Eigen::Vector3d& x = sheet.positions_A[i];
     const Eigen::Vector3d& f = sheet.forces_eV_per_A[i];
-    fmt::format_to(std::back_inserter(text), "C {:.8f} {:.8f} {:.8f} {:.8e} {:.8e} {:.8e} {:.6f} {}\n", x.x(),
-                   x.y(), x.z(), f.x(), f.y(), f.z(), sheet.longest_bond_A[i], sheet.clamped[i]);
+    fmt::format_to(std::back_inserter(text), "C {:.8f} {:.8f} {:.8f} {:.8e} {:.8e} {:.8e} {:.6f} {}\n", x.x(), x.y(),
+                   x.z(), f.x(), f.y(), f.z(), sheet.longest_bond_A[i], sheet.clamped[i]);
   }
   return text;
 }
 
-void write_extxyz(const Snapshot& sheet, const std::filesystem::path& file) {
-  write_file(file, extxyz(sheet));
-}
+void write_extxyz(const Snapshot& sheet, const std::filesystem::path& file) { write_file(file, extxyz(sheet)); }
 
 }  // namespace validate

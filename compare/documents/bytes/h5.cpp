@@ -70,9 +70,8 @@ void write_attribute(hid_t object, std::string_view name, hid_t type, const Hand
 Handle write_data_set(hid_t group, std::string_view name, hid_t type, std::size_t size, const void* data) {
   const std::string owned(name);
   const Handle space = list_space(size);
-  Handle set =
-      checked(H5Dcreate2(group, owned.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-              H5Dclose, name);
+  Handle set = checked(H5Dcreate2(group, owned.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose, name);
   if (data) check(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), name);
   return set;
 }
@@ -80,18 +79,15 @@ Handle write_data_set(hid_t group, std::string_view name, hid_t type, std::size_
 // Children are listed in the order in which they were made.
 Handle ordered_group_properties(hid_t property_class) {
   Handle properties = checked(H5Pcreate(property_class), H5Pclose, "properties");
-  check(H5Pset_link_creation_order(properties.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-        "properties");
-  check(H5Pset_attr_creation_order(properties.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-        "properties");
+  check(H5Pset_link_creation_order(properties.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "properties");
+  check(H5Pset_attr_creation_order(properties.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "properties");
   return properties;
 }
 
 Handle create_file(const std::filesystem::path& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown with a message, not printed
   const Handle properties = ordered_group_properties(H5P_FILE_CREATE);
-  return checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.get(), H5P_DEFAULT), H5Fclose,
-                 path.string());
+  return checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.get(), H5P_DEFAULT), H5Fclose, path.string());
 }
 
 }  // namespace
@@ -126,8 +122,8 @@ void Object::attribute(std::string_view name, std::span<const std::string> value
 Group Group::group(std::string_view name) {
   const Handle properties = ordered_group_properties(H5P_GROUP_CREATE);
   const std::string owned(name);
-  return Group(checked(H5Gcreate2(handle_.get(), owned.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
-                       H5Gclose, name));
+  return Group(
+      checked(H5Gcreate2(handle_.get(), owned.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose, name));
 }
 
 Object Group::data_set(std::string_view name, std::span<const double> values) {
@@ -148,8 +144,7 @@ Object Group::data_set(std::string_view name, std::span<const std::string> value
 }
 
 File::File(const std::filesystem::path& path)
-    : file_(create_file(path)),
-      root_(checked(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "root group")) {}
+    : file_(create_file(path)), root_(checked(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "root group")) {}
 
 void File::close() {
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "file");

@@ -75,13 +75,10 @@ std::vector<std::string> texts_of(const Source& source) {
 std::optional<ReadGroup> ReadGroup::group(std::string_view name) const {
   const std::string owned(name);
   if (H5Lexists(group_.get(), owned.c_str(), H5P_DEFAULT) <= 0) return std::nullopt;
-  return ReadGroup(file_,
-                   Handle(checked(H5Gopen2(group_.get(), owned.c_str(), H5P_DEFAULT), owned), H5Gclose));
+  return ReadGroup(file_, Handle(checked(H5Gopen2(group_.get(), owned.c_str(), H5P_DEFAULT), owned), H5Gclose));
 }
 
-bool ReadGroup::has_attribute(const std::string& name) const {
-  return H5Aexists(group_.get(), name.c_str()) > 0;
-}
+bool ReadGroup::has_attribute(const std::string& name) const { return H5Aexists(group_.get(), name.c_str()) > 0; }
 
 double ReadGroup::number(const std::string& attribute) const {
   const std::vector<double> values = numbers(attribute);
@@ -116,11 +113,10 @@ std::vector<std::string> ReadGroup::text_column(const std::string& name) const {
 ReadGroup open_file(const std::filesystem::path& file, std::string_view label) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const std::string start = label.empty() ? "" : std::string(label) + ": ";
-  if (!std::filesystem::is_regular_file(file))
-    throw bad_input("{}there is no file '{}'", start, file.string());
+  if (!std::filesystem::is_regular_file(file)) throw bad_input("{}there is no file '{}'", start, file.string());
   if (H5Fis_hdf5(file.c_str()) <= 0) throw bad_input("{}'{}' is not an HDF5 file", start, file.string());
-  auto handle = std::make_shared<Handle>(
-      checked(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file.string()), H5Fclose);
+  auto handle =
+      std::make_shared<Handle>(checked(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file.string()), H5Fclose);
   Handle root(checked(H5Gopen2(handle->get(), "/", H5P_DEFAULT), "root group"), H5Gclose);
   return {std::move(handle), std::move(root)};
 }

@@ -89,8 +89,7 @@ std::string inline_svg(std::string svg, std::string_view prefix, std::string_vie
   replace_all(svg, "href=\"#", fmt::format("href=\"#{}", prefix));
   replace_all(svg, "url(#", fmt::format("url(#{}", prefix));
   const auto from = svg.find("<title>"), to = svg.find("</title>");
-  if (from != std::string::npos && to != std::string::npos)
-    svg.replace(from, to - from, "<title>" + escaped(title));
+  if (from != std::string::npos && to != std::string::npos) svg.replace(from, to - from, "<title>" + escaped(title));
   return svg;
 }
 
@@ -100,8 +99,7 @@ std::string inline_png(std::string_view bytes, std::string_view title) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
     for (std::size_t k = 0; k < 4; ++k) text += k <= n ? digits[group >> (18 - 6 * k) & 63] : '=';
   }
   return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(title), text);

@@ -74,7 +74,9 @@ std::size_t levels_that_go_on(const Lines& lines, std::size_t at, const Lines& o
 /// Tenths of a pixel, so that rounding does not add up along a path.
 long tenths(double x) { return std::lround(10 * x); }
 
-std::string shown(long x) { return x % 10 == 0 ? fmt::format("{}", x / 10) : fmt::format("{:.1f}", 0.1 * static_cast<double>(x)); }
+std::string shown(long x) {
+  return x % 10 == 0 ? fmt::format("{}", x / 10) : fmt::format("{:.1f}", 0.1 * static_cast<double>(x));
+}
 
 /// " M x,y l dx,dy … z" of a polygon, corners that coincide left out; empty for one that has no area left.
 std::string path_of(std::string points) {
@@ -83,13 +85,14 @@ std::string path_of(std::string points) {
   std::istringstream in(points);
   std::vector<std::pair<long, long>> corners;
   for (double x, y; in >> x >> y;)
-    if (const std::pair corner(tenths(x), tenths(y)); corners.empty() || corner != corners.back()) corners.push_back(corner);
+    if (const std::pair corner(tenths(x), tenths(y)); corners.empty() || corner != corners.back())
+      corners.push_back(corner);
   if (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
   if (corners.size() < 3) return {};
   std::string path = fmt::format("M{},{}l", shown(corners[0].first), shown(corners[0].second));
   for (std::size_t i = 1; i < corners.size(); ++i)
-    fmt::format_to(std::back_inserter(path), "{}{},{}", i > 1 ? " " : "", shown(corners[i].first - corners[i - 1].first),
-                   shown(corners[i].second - corners[i - 1].second));
+    fmt::format_to(std::back_inserter(path), "{}{},{}", i > 1 ? " " : "",
+                   shown(corners[i].first - corners[i - 1].first), shown(corners[i].second - corners[i - 1].second));
   return path + "z";
 }
 

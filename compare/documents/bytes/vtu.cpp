@@ -29,9 +29,9 @@ void columns(Text out, const char* element, const std::vector<SheetColumn>& list
 void totals(Text out, const std::vector<SheetTotal>& list) {
   fmt::format_to(out, "<FieldData>\n");
   for (const SheetTotal& t : list)
-    fmt::format_to(
-        out, "<DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
-        t.key, t.value);
+    fmt::format_to(out,
+                   "<DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+                   t.key, t.value);
   fmt::format_to(out, "</FieldData>\n");
 }
 
@@ -76,9 +76,11 @@ void write_vtu(const SheetPicture& picture, const std::filesystem::path& file) {
   write_file(file, text);
 }
 
-void write_pvd(const std::vector<SheetPicture>& pictures, const std::filesystem::path& folder, const std::string& name) {
+void write_pvd(const std::vector<SheetPicture>& pictures, const std::filesystem::path& folder,
+               const std::string& name) {
   std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const std::string file = fmt::format("{}-{}.vtu", name, i);
     write_vtu(pictures[i], folder / file);

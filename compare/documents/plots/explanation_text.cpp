@@ -26,7 +26,8 @@ std::vector<double> at_depths(const std::vector<double>& values, const Compariso
   std::vector<double> picked;
   for (const double depth : e.depth_A) {
     const auto found = std::ranges::find(c.depth_A, depth);
-    picked.push_back(found == c.depth_A.end() ? not_known : values[static_cast<std::size_t>(found - c.depth_A.begin())]);
+    picked.push_back(found == c.depth_A.end() ? not_known
+                                              : values[static_cast<std::size_t>(found - c.depth_A.begin())]);
   }
   return picked;
 }
@@ -72,7 +73,8 @@ std::string explanation_text(const Result& result) {
     for (const Share& share : shares()) text += line(share.name, e.*share.values, shown, 100, "{:+9.2f}");
     text += line("atoms over that membrane", whole(e), shown, 100, "{:+9.2f}");
     text += line("atoms / membrane, card constants", at_depths(c->force_ratio, *c, e), shown, 1, "{:9.4f}");
-    text += line("atoms / membrane, calibrated law", at_depths(c->calibrated_membrane_ratio, *c, e), shown, 1, "{:9.4f}");
+    text +=
+        line("atoms / membrane, calibrated law", at_depths(c->calibrated_membrane_ratio, *c, e), shown, 1, "{:9.4f}");
     text += line("atoms / sheet, calibrated law", at_depths(c->sheet_ratio, *c, e), shown, 1, "{:9.4f}");
     text += "\n";
   }
@@ -99,17 +101,18 @@ std::string explanation_commands(const Result& result) {
     for (std::size_t k = 0; k < shares().size(); ++k)
       plots += fmt::format("{}$explained{} using {}{} lc rgb '{}' title {}", k ? ", \\\n     " : "", p, k + 2,
                            k ? "" : ":xtic(1)", shares()[k].colour, gnuplot_quoted(shares()[k].name));
-    plots += fmt::format(", \\\n     $explained{} using 0:{} with points pt 5 ps 0.9 lc rgb '#009E73' title 'atoms'\n", p,
-                         shares().size() + 2);
+    plots += fmt::format(", \\\n     $explained{} using 0:{} with points pt 5 ps 0.9 lc rgb '#009E73' title 'atoms'\n",
+                         p, shares().size() + 2);
   }
   if (panels == 0) return {};
   return data +
-         fmt::format("set multiplot layout 1,{}\nset style data histograms\nset style histogram rowstacked\n"
-                     "set style fill solid 0.85 noborder\nset boxwidth 0.7\nset xtics rotate by 45 right\n"
-                     "set xlabel 'depth / effective radius'\nset ylabel '% of the plain membrane force'\nset border 3 lw 1\n"
-                     "set tics nomirror out\nset grid y lc rgb '#e4e4e4' lw 1 lt 1\nset xzeroaxis lt 1 lc rgb 'black'\n"
-                     "set key inside top right samplen 1 font ',10'\n",
-                     panels) +
+         fmt::format(
+             "set multiplot layout 1,{}\nset style data histograms\nset style histogram rowstacked\n"
+             "set style fill solid 0.85 noborder\nset boxwidth 0.7\nset xtics rotate by 45 right\n"
+             "set xlabel 'depth / effective radius'\nset ylabel '% of the plain membrane force'\nset border 3 lw 1\n"
+             "set tics nomirror out\nset grid y lc rgb '#e4e4e4' lw 1 lt 1\nset xzeroaxis lt 1 lc rgb 'black'\n"
+             "set key inside top right samplen 1 font ',10'\n",
+             panels) +
          plots + "unset multiplot\n";
 }
 

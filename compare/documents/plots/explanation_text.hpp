@@ -19,8 +19,8 @@ const std::vector<Share>& shares();
 /// At most eight of the depths, evenly spread, the first and the last among them.
 std::vector<std::size_t> shown_depths(std::size_t count);
 
-/// One block per load: shares in per cent of the plain membrane's force, and the atoms over each continuum. Empty without
-/// calibrated curves.
+/// One block per load: shares in per cent of the plain membrane's force, and the atoms over each continuum. Empty
+/// without calibrated curves.
 std::string explanation_text(const Result& result);
 
 /// gnuplot commands for one panel of stacked bars per load; empty where there is nothing to explain.

@@ -60,7 +60,8 @@ void ray_block(Text out, const SheetPicture& picture) {
       centre += deformed(picture, node) / 3;
       flat += picture.mesh.nodes[node] / 3;
     }
-    if (std::exchange(taken[{int(std::floor(flat.x() / spacing)), int(std::floor(flat.y() / spacing))}], true)) continue;
+    if (std::exchange(taken[{int(std::floor(flat.x() / spacing)), int(std::floor(flat.y() / spacing))}], true))
+      continue;
     const Eigen::Vector2d half = 0.4 * spacing * Eigen::Vector2d(direction[3 * t], direction[3 * t + 1]);
     for (const auto& [sx, sy] : images(picture))
       fmt::format_to(out, "{:.5g} {:.5g} 0\n{:.5g} {:.5g} 0\n\n\n", sx * (centre - half).x(), sy * (centre - half).y(),
@@ -69,14 +70,17 @@ void ray_block(Text out, const SheetPicture& picture) {
 }
 
 void state_palette(Text out) {
-  fmt::format_to(out,
-                 "set palette defined (0 '#4477AA', 0.99 '#4477AA', 1 '#EECC66', 1.5 '#EECC66', 1.51 '#BBBBBB', 2 '#BBBBBB')\n"
-                 "set cbrange [-0.5:2.5]\nset cbtics ('taut' 0, 'wrinkled' 1, 'slack' 2)\n");
+  fmt::format_to(
+      out,
+      "set palette defined (0 '#4477AA', 0.99 '#4477AA', 1 '#EECC66', 1.5 '#EECC66', 1.51 '#BBBBBB', 2 '#BBBBBB')\n"
+      "set cbrange [-0.5:2.5]\nset cbtics ('taut' 0, 'wrinkled' 1, 'slack' 2)\n");
 }
 
 void stress_palette(Text out, const FieldPanel& panel, const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  fmt::format_to(out, "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\nset cbrange [{:.6g}:{:.6g}]\nset cbtics auto format '%.3g'\n",
+  fmt::format_to(out,
+                 "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\nset cbrange "
+                 "[{:.6g}:{:.6g}]\nset cbtics auto format '%.3g'\n",
                  panel.low.value_or(std::min(*low, 0.0)), panel.high.value_or(*high > *low ? *high : *low + 1));
 }
 

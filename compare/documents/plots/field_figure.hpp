@@ -15,12 +15,12 @@ namespace validate {
 struct FieldPanel {
   std::string title;
   const SheetPicture* picture = nullptr;
-  std::string key;               ///< a column of the triangles
+  std::string key;                  ///< a column of the triangles
   std::optional<double> low, high;  ///< colour range; the field's own where not given
 };
 
-/// NAME.svg and NAME.png in `folder`, panels side by side; a warning where gnuplot is missing or complains. Throws Error
-/// (file failed).
+/// NAME.svg and NAME.png in `folder`, panels side by side; a warning where gnuplot is missing or complains. Throws
+/// Error (file failed).
 std::optional<std::string> draw_fields(const std::vector<FieldPanel>& panels, const std::filesystem::path& folder,
                                        const std::string& name);
 

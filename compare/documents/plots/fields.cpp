@@ -12,10 +12,10 @@
 #include <sstream>
 #include <vector>
 
-#include "compare/documents/plots/gnuplot.hpp"
 #include "compare/base/units.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "compare/documents/plots/gnuplot.hpp"
 #include "membrane/laws/cauchy.hpp"
+#include "membrane/meridian/sheet.hpp"
 
 namespace validate {
 namespace {
@@ -73,12 +73,10 @@ const Run* shown_membrane(const Result& result) {
 }
 
 /// Larger principal Cauchy force on a circle.
-double larger_force(const membrane::StVenantKirchhoff& law, double pretension,
-                    const round::SheetPoint& point) {
+double larger_force(const membrane::StVenantKirchhoff& law, double pretension, const round::SheetPoint& point) {
   const double offset = (1 - law.nu) * pretension / law.sheet_modulus_eV_per_A2;
-  const membrane::Voigt force =
-      membrane::cauchy_force(law, membrane::Voigt(point.radial_strain, point.hoop_strain, 0),
-                             membrane::Voigt(offset, offset, 0), true);
+  const membrane::Voigt force = membrane::cauchy_force(law, membrane::Voigt(point.radial_strain, point.hoop_strain, 0),
+                                                       membrane::Voigt(offset, offset, 0), true);
   return std::max(force[0], force[1]);
 }
 
@@ -106,8 +104,7 @@ std::vector<round::SheetPoint> circles(const Run& run, const membrane::StVenantK
 
 std::optional<Map> membrane_map(const Result& result) {
   const Run* run = shown_membrane(result);
-  if (!run || usable_points(*run).empty() || !std::isfinite(run->Eh_eV_per_A2))
-    return std::nullopt;
+  if (!run || usable_points(*run).empty() || !std::isfinite(run->Eh_eV_per_A2)) return std::nullopt;
   const membrane::StVenantKirchhoff law{run->Eh_eV_per_A2, run->nu};
   const std::vector<round::SheetPoint> points = circles(*run, law);
   if (points.empty()) return std::nullopt;
@@ -120,8 +117,8 @@ std::optional<Map> membrane_map(const Result& result) {
     const double force = N_per_m_per_eV_per_A2 * larger_force(law, run->pretension_eV_per_A2, point);
     for (int k = 0; k <= around; ++k) {
       const double angle = 2 * std::numbers::pi * k / around, r = point.radius_A + point.displacement_A;
-      fmt::format_to(std::back_inserter(map.data), "{:.2f} {:.2f} {:.4f}\n", r * std::cos(angle),
-                     r * std::sin(angle), force);
+      fmt::format_to(std::back_inserter(map.data), "{:.2f} {:.2f} {:.4f}\n", r * std::cos(angle), r * std::sin(angle),
+                     force);
     }
     map.data += "\n";
   }

@@ -3,19 +3,18 @@
 #include <fmt/core.h>
 
 #include "compare/base/errors.hpp"
-#include "compare/documents/plots/figure_commands.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/read_file.hpp"
+#include "compare/documents/bytes/svg_compact.hpp"
+#include "compare/documents/plots/figure_commands.hpp"
 #include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/plots/scan_commands.hpp"
-#include "compare/documents/bytes/svg_compact.hpp"
-#include "compare/base/read_file.hpp"
 
 namespace validate {
 
 namespace {
 
-std::string script_for(const std::string& commands, DrawingSize size, const PendingFile& svg,
-                       const PendingFile& png) {
+std::string script_for(const std::string& commands, DrawingSize size, const PendingFile& svg, const PendingFile& png) {
   return fmt::format(
       "set encoding utf8\n"
       "set terminal svg size {0},{1} font 'DejaVu Sans,12' noenhanced background rgb 'white'\n"
@@ -34,8 +33,7 @@ constexpr std::uintmax_t smallest_png_bytes = 20000;
 
 std::optional<std::string> draw(const std::string& commands, const std::filesystem::path& folder,
                                 const std::string& name, DrawingSize size) {
-  PendingFile svg(folder / (name + ".svg")), png(folder / (name + ".png")),
-      script(folder / (name + ".gnuplot"));
+  PendingFile svg(folder / (name + ".svg")), png(folder / (name + ".png")), script(folder / (name + ".gnuplot"));
   script.write(script_for(commands, size, svg, png));
   const std::optional<GnuplotReport> report = run_gnuplot(script.path());
   if (!report) return fmt::format("gnuplot is not installed: no {0}.svg and {0}.png", name);

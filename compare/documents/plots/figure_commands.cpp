@@ -8,9 +8,9 @@
 #include <iterator>
 #include <vector>
 
+#include "compare/documents/plots/gnuplot.hpp"
 #include "compare/fitting/curve.hpp"
 #include "compare/fitting/models/eq16.hpp"
-#include "compare/documents/plots/gnuplot.hpp"
 
 namespace validate {
 
@@ -70,7 +70,8 @@ Points artefact_points(const Run& run) {
   return points;
 }
 
-// The sheet solid, membranes thin: dash-dotted, dashed with the paper's constants. A calibrated membrane is in the ratios.
+// The sheet solid, membranes thin: dash-dotted, dashed with the paper's constants. A calibrated membrane is in the
+// ratios.
 void add_continuum(std::vector<Series>& all, const Run& run, const LoadStyle& style) {
   if (usable_points(run).size() < 2) return;
   const bool sheet = run.model == Model::sheet, paper = run.constants == Constants::paper;
@@ -79,19 +80,18 @@ void add_continuum(std::vector<Series>& all, const Run& run, const LoadStyle& st
                  sheet ? fmt::format("sheet, {}, calibrated law with bending", run.load)
                        : fmt::format("membrane, {}, {} constants", run.load, to_string(run.constants)),
                  fmt::format("lines lc rgb '{}' lw {} dt {}", style.colour, sheet ? 2.6 : 1.3,
-                             paper ? "'-'" : sheet ? "1" : "'_.'")});
+                             paper   ? "'-'"
+                             : sheet ? "1"
+                                     : "'_.'")});
 }
 
 void add_atoms(std::vector<Series>& all, const Run& run, const LoadStyle& style, double artefact_bond_A) {
-  const auto markers = [&](int type) {
-    return fmt::format("points lc rgb '{}' pt {} ps 1", style.colour, type);
-  };
+  const auto markers = [&](int type) { return fmt::format("points lc rgb '{}' pt {} ps 1", style.colour, type); };
   if (const Points points = usable_curve(run); !points.empty()) {
     all.push_back({points, fmt::format("atoms, {}", run.load), markers(style.filled)});
   }
   if (const Points points = artefact_points(run); !points.empty()) {
-    all.push_back(
-        {points, fmt::format("atoms, {}, bond ≥ {:.2f} Å", run.load, artefact_bond_A), markers(style.open)});
+    all.push_back({points, fmt::format("atoms, {}, bond ≥ {:.2f} Å", run.load, artefact_bond_A), markers(style.open)});
   }
 }
 
@@ -124,9 +124,8 @@ std::string legend_place(const std::vector<Series>& all, double depth, double fo
 // The closed form with the constants of the like-for-like membrane, or of whatever membrane there is.
 void add_eq16(std::vector<Series>& all, const Result& result) {
   const auto membrane = [&](Constants constants) {
-    return std::ranges::find_if(result.runs, [&](const Run& run) {
-      return run.model == Model::membrane && run.constants == constants;
-    });
+    return std::ranges::find_if(
+        result.runs, [&](const Run& run) { return run.model == Model::membrane && run.constants == constants; });
   };
   for (const Constants constants : {Constants::card, Constants::given, Constants::paper}) {
     const auto run = membrane(constants);
@@ -138,8 +137,7 @@ void add_eq16(std::vector<Series>& all, const Result& result) {
       const double depth = end * i / 200;
       points.push_back({depth, closed_form.force(depth, run->Eh_eV_per_A2, run->pretension_eV_per_A2)});
     }
-    all.push_back(
-        {points, fmt::format("Eq. 16, {} constants", to_string(constants)), "lines lc rgb 'black' lw 0.8"});
+    all.push_back({points, fmt::format("Eq. 16, {} constants", to_string(constants)), "lines lc rgb 'black' lw 0.8"});
     return;
   }
 }
@@ -181,22 +179,19 @@ std::vector<ArtefactZone> artefact_zones(const Result& result) {
 std::string zone_commands(const std::vector<ArtefactZone>& zones) {
   std::string text;
   for (const ArtefactZone& zone : zones) {
-    fmt::format_to(
-        std::back_inserter(text),
-        "set object rectangle from {0},graph 0 to graph 1,graph 1 fc rgb '{1}' fs solid 0.10 noborder "
-        "behind\n"
-        "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' lw 1 dt 2 back\n",
-        zone.from_A, zone.colour);
+    fmt::format_to(std::back_inserter(text),
+                   "set object rectangle from {0},graph 0 to graph 1,graph 1 fc rgb '{1}' fs solid 0.10 noborder "
+                   "behind\n"
+                   "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' lw 1 dt 2 back\n",
+                   zone.from_A, zone.colour);
   }
   return text;
 }
 
 std::string title_of(const Result& result) {
-  const bool atoms =
-      std::ranges::any_of(result.runs, [](const Run& r) { return r.model == Model::atomistic; });
+  const bool atoms = std::ranges::any_of(result.runs, [](const Run& r) { return r.model == Model::atomistic; });
   const double radius = result.resolved.radius_A;
-  const std::string size =
-      radius < 1000 ? fmt::format("R = {:g} Å", radius) : fmt::format("R = {:g} µm", radius / 1e4);
+  const std::string size = radius < 1000 ? fmt::format("R = {:g} Å", radius) : fmt::format("R = {:g} µm", radius / 1e4);
   const std::string what = atoms || result.card ? result.resolved.potential : "membrane";
   return fmt::format("{}, {}, tip radius {:g} Å", what, size, result.resolved.tip_radius_A);
 }
@@ -235,7 +230,8 @@ std::string figure_commands(const Result& result) {
   const std::vector<ArtefactZone> zones = artefact_zones(result);
   std::vector<std::string> clauses;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    clauses.push_back(fmt::format("$series{} using 1:2 with {} title {}", i, all[i].style, gnuplot_quoted(all[i].title)));
+    clauses.push_back(
+        fmt::format("$series{} using 1:2 with {} title {}", i, all[i].style, gnuplot_quoted(all[i].title)));
   }
   for (const ArtefactZone& zone : zones) {  // the bands' entries in the legend
     clauses.push_back(fmt::format("NaN with boxes fs solid 0.25 lc rgb '{}' title {}", zone.colour,

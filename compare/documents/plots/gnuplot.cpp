@@ -59,8 +59,7 @@ std::optional<GnuplotReport> run_gnuplot(const std::filesystem::path& script) {
   std::string program = "gnuplot", argument = script.string();
   char* const arguments[] = {program.data(), argument.data(), nullptr};
   pid_t child = 0;
-  const int error =
-      ::posix_spawnp(&child, "gnuplot", FileActions(ends[1]).get(), nullptr, arguments, environ);
+  const int error = ::posix_spawnp(&child, "gnuplot", FileActions(ends[1]).get(), nullptr, arguments, environ);
   ::close(ends[1]);
   if (error != 0) {
     ::close(ends[0]);

@@ -45,7 +45,8 @@ std::string curves(std::size_t index, const Comparison& c) {
   std::string text = curve(index, 2, colour, "'_.'", c.load + ", membrane, card constants");
   if (any_known(c.calibrated_membrane_ratio))
     text += ", \\\n     " + curve(index, 3, colour, "'.'", c.load + ", membrane, calibrated law");
-  if (any_known(c.sheet_ratio)) text += ", \\\n     " + curve(index, 4, colour, "1", c.load + ", sheet, calibrated law");
+  if (any_known(c.sheet_ratio))
+    text += ", \\\n     " + curve(index, 4, colour, "1", c.load + ", sheet, calibrated law");
   return text;
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/documents/plots/gnuplot.hpp"
 #include "compare/base/units.hpp"
+#include "compare/documents/plots/gnuplot.hpp"
 
 namespace validate {
 namespace {
@@ -34,8 +34,7 @@ std::string blocks(const std::vector<NamedScan>& scans, double depth_factor) {
   return text;
 }
 
-std::string panel(const std::vector<NamedScan>& scans, int column, const char* label,
-                  double NamedScan::*known) {
+std::string panel(const std::vector<NamedScan>& scans, int column, const char* label, double NamedScan::*known) {
   std::string text = fmt::format("set ylabel '{}'\nplot ", label);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const char* const colour = colours[i % colours.size()];

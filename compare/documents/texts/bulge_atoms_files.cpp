@@ -28,8 +28,7 @@ Json object_of(const Struct& s) {
 
 std::string block(const char* name, const std::vector<double>& x, const std::vector<double>& y) {
   std::string text = fmt::format("${} << EOD\n", name);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{:.6g} {:.6g}\n", x[i], y[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) fmt::format_to(std::back_inserter(text), "{:.6g} {:.6g}\n", x[i], y[i]);
   return text + "EOD\n";
 }
 
@@ -96,27 +95,30 @@ std::string bulge_atoms_csv(const BulgeAtoms& atoms) {
 std::string bulge_atoms_table(const BulgeAtoms& atoms) {
   std::string text = fmt::format("\n{} atoms; membrane of {:.2f} × {:.2f} Å with the card's constants\n\n", atoms.atoms,
                                  atoms.membrane_size_x_A, atoms.membrane_size_y_A);
-  text += "  pressure   atoms' depth   membrane's    ratio     sheet's    ratio  longest bond  evaluations\n"
-          "    eV/Å³          Å             Å                    Å                    Å\n";
+  text +=
+      "  pressure   atoms' depth   membrane's    ratio     sheet's    ratio  longest bond  evaluations\n"
+      "    eV/Å³          Å             Å                    Å                    Å\n";
   const auto shown = [](double value, int width, int digits) {
     return std::isfinite(value) ? fmt::format("{:{}.{}f}", value, width, digits) : fmt::format("{:>{}}", "–", width);
   };
   for (const BulgeAtomsPoint& p : atoms.points)
-    text += fmt::format("{:10.4e} {:12.3f} {:13.3f} {:10.4f} {} {} {:11.4f} {:10}{}{}\n", p.pressure_eV_per_A3, p.depth_A,
-                        p.membrane_depth_A, p.depth_ratio, shown(p.sheet_depth_A, 10, 3), shown(p.sheet_ratio, 8, 4),
-                        p.longest_bond_A, p.force_evaluations,
+    text += fmt::format("{:10.4e} {:12.3f} {:13.3f} {:10.4f} {} {} {:11.4f} {:10}{}{}\n", p.pressure_eV_per_A3,
+                        p.depth_A, p.membrane_depth_A, p.depth_ratio, shown(p.sheet_depth_A, 10, 3),
+                        shown(p.sheet_ratio, 8, 4), p.longest_bond_A, p.force_evaluations,
                         p.artefact ? "  artefact zone" : "", p.converged ? "" : "  not converged");
   if (!atoms.points.empty() && std::isfinite(atoms.points.front().sheet_ratio))
     text += "sheet: the potential's own law, with bending and no fitted number\n";
-  if (atoms.ended != Ended::depth_max) text += fmt::format("\natoms ended ({}): {}\n", to_string(atoms.ended), atoms.ended_reason);
+  if (atoms.ended != Ended::depth_max)
+    text += fmt::format("\natoms ended ({}): {}\n", to_string(atoms.ended), atoms.ended_reason);
   return text;
 }
 
 std::optional<std::string> draw_bulge_atoms(const BulgeAtoms& atoms, const std::filesystem::path& folder) {
   if (atoms.points.empty() || atoms.membrane_profile.x_A.empty()) return std::nullopt;
   const bool curve = atoms.points.size() > 1;
-  std::string commands = fmt::format(
-      "set multiplot layout 1,{}\nset border 3\nset tics nomirror out\nset grid lc rgb '#e4e4e4' lt 1\n", curve ? 2 : 1);
+  std::string commands =
+      fmt::format("set multiplot layout 1,{}\nset border 3\nset tics nomirror out\nset grid lc rgb '#e4e4e4' lt 1\n",
+                  curve ? 2 : 1);
   if (curve) commands += curve_commands(atoms);
   commands += profile_commands(atoms) + "unset multiplot\n";
   return draw(commands, folder, "atoms", {curve ? 1000 : 700, 380});

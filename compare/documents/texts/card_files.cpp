@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/potential/law/states.hpp"
-#include "compare/potential/law/variants.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/units.hpp"
 #include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/texts/law_toml.hpp"
+#include "compare/potential/law/states.hpp"
+#include "compare/potential/law/variants.hpp"
 #include "compare/process/provenance.hpp"
-#include "compare/base/units.hpp"
 
 namespace validate {
 namespace {
@@ -86,9 +86,11 @@ Json law_document(const CalibratedLaw& c) {
 std::string variant_lines(const PotentialCard& p) {
   std::string text = "\n  form      coefficients   misfit rms   worst   force under a disc of 10 Å on 110 Å\n";
   for (const LawVariant& v : law_variants(p.card, p.response.states))
-    text += fmt::format("  {:10}{:12}{:11.3f} %{:7.2f} %   {:.3f} % from {}\n", v.name, v.coefficients, 100 * v.rms_misfit,
-                        100 * v.worst_misfit, 100 * v.force_difference,
-                        v.name == "sixfold" ? "degree 8" : v.name == "table" ? "itself" : "the table");
+    text += fmt::format("  {:10}{:12}{:11.3f} %{:7.2f} %   {:.3f} % from {}\n", v.name, v.coefficients,
+                        100 * v.rms_misfit, 100 * v.worst_misfit, 100 * v.force_difference,
+                        v.name == "sixfold" ? "degree 8"
+                        : v.name == "table" ? "itself"
+                                            : "the table");
   return text;
 }
 
@@ -98,13 +100,15 @@ std::string law_lines(const PotentialCard& p) {
   std::string text = fmt::format(
       "\ncalibrated law, degree {}: {} coefficients from {} states at 15° to zigzag, bonds up to {:.2f} Å\n", c.degree,
       c.law.terms.size(), std::ranges::count_if(c.states, &CalibratedState::fitted), longest_calibrated_bond_A);
-  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:26}{}\n", name, value); };
+  const auto line = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:26}{}\n", name, value);
+  };
   line("stress misfit", fmt::format("{:.2f} % rms, {:.2f} % at worst", 100 * c.rms_misfit, 100 * c.worst_misfit));
   line("anisotropy left out", fmt::format("up to {:.1f} % in stress along zigzag or armchair", 100 * c.anisotropy));
   line("longest bond", fmt::format("from the strain within {:.4f} Å", c.longest_bond.worst_misfit_A));
   line(c.convexity.convex() ? "convex in its range" : "NOT convex in its range",
-       fmt::format("smallest stiffness {:.3f} eV/Å² at E1 = {:.3f}, E2 = {:.3f}", c.convexity.smallest_eigenvalue_eV_per_A2,
-                   c.convexity.E1, c.convexity.E2));
+       fmt::format("smallest stiffness {:.3f} eV/Å² at E1 = {:.3f}, E2 = {:.3f}",
+                   c.convexity.smallest_eigenvalue_eV_per_A2, c.convexity.E1, c.convexity.E2));
   return text + variant_lines(p);
 }
 
@@ -128,16 +132,19 @@ std::string plot_commands(const PotentialCard& card) {
   for (const atomistic::StressCurve& c : card.response.curves) {
     data += fmt::format("$c{} << EOD\n", number);
     for (std::size_t k = 0; k < c.strain.size(); ++k)
-      data += fmt::format("{} {} {}\n", 100 * c.strain[k], c.stress_eV_per_A2[k] * N_per_m_per_eV_per_A2, c.longest_bond_A[k]);
+      data += fmt::format("{} {} {}\n", 100 * c.strain[k], c.stress_eV_per_A2[k] * N_per_m_per_eV_per_A2,
+                          c.longest_bond_A[k]);
     data += "EOD\n";
     const double artefact = card.potential.potential.artefact_bond_A;
     const std::string colour = fmt::format("lc rgb '{}' lw 2", colours[number % std::size(colours)]);
-    plot += fmt::format("{}$c{} using 1:($3<{} ? $2 : NaN) with lines {} title {}, $c{} using 1:2 with lines {} dt 3 notitle",
-                        plot.empty() ? "plot " : ", ", number, artefact, colour, gnuplot_quoted(c.direction), number, colour);
+    plot += fmt::format(
+        "{}$c{} using 1:($3<{} ? $2 : NaN) with lines {} title {}, $c{} using 1:2 with lines {} dt 3 notitle",
+        plot.empty() ? "plot " : ", ", number, artefact, colour, gnuplot_quoted(c.direction), number, colour);
     ++number;
   }
   return fmt::format(
-      "{}set title {}\nset xlabel 'nominal strain (%)'\nset ylabel 'nominal stress (N/m)'\nset grid\nset key bottom right\n"
+      "{}set title {}\nset xlabel 'nominal strain (%)'\nset ylabel 'nominal stress (N/m)'\nset grid\nset key bottom "
+      "right\n"
       "set xrange [0:*]\nset yrange [0:*]\n{}\n",
       data,
       gnuplot_quoted(fmt::format("{}: homogeneous strain at T = 0 (dotted: a bond beyond {} Å)",
@@ -146,14 +153,17 @@ std::string plot_commands(const PotentialCard& card) {
 }
 
 std::optional<std::string> draw(const PotentialCard& card, const std::filesystem::path& folder) {
-  PendingFile svg(folder / "stress-strain.svg"), png(folder / "stress-strain.png"), script(folder / "stress-strain.gnuplot");
+  PendingFile svg(folder / "stress-strain.svg"), png(folder / "stress-strain.png"),
+      script(folder / "stress-strain.gnuplot");
   const std::string commands = plot_commands(card);
-  script.write(fmt::format("set encoding utf8\nset terminal svg size 800,560 font 'DejaVu Sans,13'\nset output {}\n{}"
-                           "set terminal pngcairo size 1000,700 font 'DejaVu Sans,13'\nset output {}\n{}",
-                           gnuplot_quoted(svg.path().string()), commands, gnuplot_quoted(png.path().string()), commands));
+  script.write(
+      fmt::format("set encoding utf8\nset terminal svg size 800,560 font 'DejaVu Sans,13'\nset output {}\n{}"
+                  "set terminal pngcairo size 1000,700 font 'DejaVu Sans,13'\nset output {}\n{}",
+                  gnuplot_quoted(svg.path().string()), commands, gnuplot_quoted(png.path().string()), commands));
   const auto report = run_gnuplot(script.path());
   if (!report) return "gnuplot is not installed: no stress-strain.svg and .png (the data are in stress-strain.csv)";
-  if (!report->succeeded) throw Error(ExitCode::file_failed, "gnuplot could not draw stress-strain.svg: " + report->messages);
+  if (!report->succeeded)
+    throw Error(ExitCode::file_failed, "gnuplot could not draw stress-strain.svg: " + report->messages);
   svg.commit();
   png.commit();
   return std::nullopt;
@@ -206,7 +216,9 @@ std::string card_table(const PotentialCard& p) {
   const atomistic::Card& card = p.card;
   std::string text = fmt::format("{}: {}\n  {}\n\n", p.potential.potential.name, p.potential.potential.description,
                                  p.potential.potential.citation);
-  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:26}{}\n", name, value); };
+  const auto line = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:26}{}\n", name, value);
+  };
   const auto both = [](double x) { return fmt::format("{:9.2f} N/m  {:9.4f} eV/Å²", x * N_per_m_per_eV_per_A2, x); };
   line("lattice constant", fmt::format("{:.6f} Å", card.a0_A));
   line("energy per atom", fmt::format("{:.5f} eV", card.energy_per_atom_eV));
@@ -220,8 +232,9 @@ std::string card_table(const PotentialCard& p) {
                                       card.bending_modulus_armchair_eV));
   line("artefact from a bond of", fmt::format("{:.2f} Å", p.potential.potential.artefact_bond_A));
   if (!p.potential.edit.empty()) line("edited", p.potential.edit);
-  text += "\n            secant modulus, N/m, at    strength   at strain  artefact from\n"
-          "                 2 %     5 %    10 %      N/m\n";
+  text +=
+      "\n            secant modulus, N/m, at    strength   at strain  artefact from\n"
+      "                 2 %     5 %    10 %      N/m\n";
   for (const auto& c : p.response.curves) text += curve_lines(c);
   return text + law_lines(p);
 }

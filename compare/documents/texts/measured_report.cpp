@@ -6,11 +6,11 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/fitting/fit_intervals.hpp"
+#include "compare/base/units.hpp"
 #include "compare/documents/plots/figure.hpp"
 #include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/texts/summary_json.hpp"
-#include "compare/base/units.hpp"
+#include "compare/fitting/fit_intervals.hpp"
 
 namespace validate {
 namespace {
@@ -36,16 +36,16 @@ void add_corrections(std::string& text, const MeasuredResult& result, const Meas
   add_row(text, "  pretension", fit.direct->pretension_eV_per_A2, fit.direct->pretension_stderr_eV_per_A2, 3,
           fmt::format("  rms {:.2f} %", 100 * fit.direct->rms_relative));
   if (result.torn_at_A)
-    fmt::format_to(std::back_inserter(text),
-                   "  by its law the sheet tears beyond a depth of {:.4g} nm: {} deeper points are left out of this fit\n",
-                   *result.torn_at_A / 10, fit.points - static_cast<int>(result.direct_depth_A.size()));
+    fmt::format_to(
+        std::back_inserter(text),
+        "  by its law the sheet tears beyond a depth of {:.4g} nm: {} deeper points are left out of this fit\n",
+        *result.torn_at_A / 10, fit.points - static_cast<int>(result.direct_depth_A.size()));
   if (!fit.bias) return;
   const FitBias& bias = *fit.bias;
-  fmt::format_to(
-      std::back_inserter(text),
-      "  the closed form reads from that: E·h {:.1f} N/m ({:+.1f} %), pretension {:.3f} N/m\n",
-      in_N_per_m(bias.Eh_read_eV_per_A2), 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1),
-      in_N_per_m(bias.pretension_read_eV_per_A2));
+  fmt::format_to(std::back_inserter(text),
+                 "  the closed form reads from that: E·h {:.1f} N/m ({:+.1f} %), pretension {:.3f} N/m\n",
+                 in_N_per_m(bias.Eh_read_eV_per_A2), 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1),
+                 in_N_per_m(bias.pretension_read_eV_per_A2));
   fmt::format_to(std::back_inserter(text), "  corrected by that: E·h {:.1f} N/m, pretension {:.3f} N/m\n",
                  in_N_per_m(bias.Eh_corrected_eV_per_A2), in_N_per_m(bias.pretension_corrected_eV_per_A2));
 }
@@ -54,10 +54,10 @@ void add_corrections(std::string& text, const MeasuredResult& result, const Meas
 
 std::string measured_text(const MeasuredResult& result, const MeasuredOptions& options) {
   const Fit& fit = result.fit;
-  std::string text = fmt::format("{}: {} of {} points ({} against {}), depth {:.4g} … {:.4g} nm\n",
-                                 result.curve.file.string(), fit.points, result.curve.depth_A.size(),
-                                 result.curve.force_column, result.curve.depth_column, fit.window_A[0] / 10,
-                                 fit.window_A[1] / 10);
+  std::string text =
+      fmt::format("{}: {} of {} points ({} against {}), depth {:.4g} … {:.4g} nm\n", result.curve.file.string(),
+                  fit.points, result.curve.depth_A.size(), result.curve.force_column, result.curve.depth_column,
+                  fit.window_A[0] / 10, fit.window_A[1] / 10);
   if (result.baseline_eV_per_A != 0)
     fmt::format_to(std::back_inserter(text), "  baseline taken off: {:.4g} nN\n",
                    result.baseline_eV_per_A * nN_per_eV_per_A);
@@ -78,14 +78,15 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
                  fit.correlation, fit.condition_number, fit.r_squared, 100 * fit.rms_relative,
                  in_N_per_m(fit.Eh_bootstrap_eV_per_A2), in_N_per_m(fit.pretension_bootstrap_eV_per_A2));
   add_corrections(text, result, options);
-  if (!fit.direct) text += fmt::format("  no fit of the {} itself: ", options.physics ? "sheet" : "membrane") + result.direct_skipped + "\n";
+  if (!fit.direct)
+    text += fmt::format("  no fit of the {} itself: ", options.physics ? "sheet" : "membrane") + result.direct_skipped +
+            "\n";
   for (const std::string& warning : fit.warnings) text += "  warning: " + warning + "\n";
   return text;
 }
 
 nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
-                                         const std::vector<MeasuredOptions>& options,
-                                         const std::string& command_line) {
+                                         const std::vector<MeasuredOptions>& options, const std::string& command_line) {
   using Json = nlohmann::ordered_json;
   Json document{{"schema", summary_schema}, {"command_line", command_line}, {"curves", Json::array()}};
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -116,8 +117,8 @@ nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& resu
 
 namespace {
 
-std::string block(const char* name, const std::vector<double>& x, const std::vector<double>& y,
-                  double x_factor, double y_factor) {
+std::string block(const char* name, const std::vector<double>& x, const std::vector<double>& y, double x_factor,
+                  double y_factor) {
   std::vector<std::size_t> order(std::min(x.size(), y.size()));
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, {}, [&](std::size_t i) { return x[i]; });
@@ -130,9 +131,8 @@ std::string block(const char* name, const std::vector<double>& x, const std::vec
 /// The fitted closed form, offsets included, as a dense line.
 std::string model_block(const MeasuredResult& result, const MeasuredOptions& options) {
   const Fit& fit = result.fit;
-  const AnyCurveModel model =
-      with_offsets(closed_form(options.model, "--model").make(options.geometry),
-                   fit.depth_offset_A.has_value(), fit.force_offset_eV_per_A.has_value());
+  const AnyCurveModel model = with_offsets(closed_form(options.model, "--model").make(options.geometry),
+                                           fit.depth_offset_A.has_value(), fit.force_offset_eV_per_A.has_value());
   std::vector<double> parameters = {fit.Eh_eV_per_A2, fit.pretension_eV_per_A2};
   if (fit.depth_offset_A) parameters.push_back(*fit.depth_offset_A);
   if (fit.force_offset_eV_per_A) parameters.push_back(*fit.force_offset_eV_per_A);
@@ -170,13 +170,11 @@ std::optional<std::string> draw_measured(const MeasuredResult& result, const Mea
                                          const std::filesystem::path& folder, const std::string& name) {
   const Fit& fit = result.fit;
   const bool direct = fit.direct.has_value();
-  std::string text = block("data", result.depth_A, result.force_eV_per_A, 0.1, nN_per_eV_per_A) +
-                     model_block(result, options) +
-                     block("residual", fit.fitted_depth_A, fit.residual_eV_per_A, 0.1, nN_per_eV_per_A) +
-                     scan_block(result);
+  std::string text =
+      block("data", result.depth_A, result.force_eV_per_A, 0.1, nN_per_eV_per_A) + model_block(result, options) +
+      block("residual", fit.fitted_depth_A, fit.residual_eV_per_A, 0.1, nN_per_eV_per_A) + scan_block(result);
   if (direct)
-    text += block("membrane", result.direct_depth_A, lifted(result.direct_force_eV_per_A, fit), 0.1,
-                  nN_per_eV_per_A);
+    text += block("membrane", result.direct_depth_A, lifted(result.direct_force_eV_per_A, fit), 0.1, nN_per_eV_per_A);
   text += fmt::format(
       "set multiplot layout 2,2 title {}\n"
       "set border 3 lw 1\nset tics nomirror out\nset grid lc rgb '#e4e4e4' lw 1 lt 1\n"
@@ -189,9 +187,7 @@ std::optional<std::string> draw_measured(const MeasuredResult& result, const Mea
       "plot $residual using 1:2 with points pt 7 ps 0.5 lc rgb '#0072B2' title {}{}, 0 with lines lc rgb "
       "'black' lw 0.6 notitle\n",
       gnuplot_quoted(result.curve.file.filename().string()), gnuplot_quoted(options.model),
-      direct
-          ? ", \\\n     $membrane using 1:2 with lines lw 1.5 dt '-' lc rgb '#D55E00' title 'membrane itself'"
-          : "",
+      direct ? ", \\\n     $membrane using 1:2 with lines lw 1.5 dt '-' lc rgb '#D55E00' title 'membrane itself'" : "",
       gnuplot_quoted("data − " + options.model), "");
   text += fmt::format(
       "set xlabel 'largest depth fitted (nm)'\nset ylabel 'E·h (N/m)'\nset yrange {}\n"

@@ -16,8 +16,7 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
 
 /// All curves of a command, each with its options; described by inputs/fit.schema.json.
 nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
-                                         const std::vector<MeasuredOptions>& options,
-                                         const std::string& command_line);
+                                         const std::vector<MeasuredOptions>& options, const std::string& command_line);
 
 /// fit-<name>.svg and .png: data with both fits, residuals, window scan. Returns what the user should know,
 /// if anything.

@@ -7,10 +7,10 @@
 #include <optional>
 #include <tuple>
 
-#include "compare/documents/plots/explanation_text.hpp"
-#include "compare/documents/bytes/html.hpp"
-#include "compare/documents/texts/summary_json.hpp"
 #include "compare/base/units.hpp"
+#include "compare/documents/bytes/html.hpp"
+#include "compare/documents/plots/explanation_text.hpp"
+#include "compare/documents/texts/summary_json.hpp"
 
 namespace validate {
 namespace {
@@ -31,7 +31,8 @@ std::string name_of(const Run& run) {
   const std::string name =
       fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : to_string(run.model), run.load);
   if (run.constants == Constants::none) return name;
-  return fmt::format("{}, {} {}", name, to_string(run.constants), run.constants == Constants::calibrated ? "law" : "constants");
+  return fmt::format("{}, {} {}", name, to_string(run.constants),
+                     run.constants == Constants::calibrated ? "law" : "constants");
 }
 
 std::string pair_N_per_m(double value, double error, int digits) {
@@ -62,10 +63,9 @@ std::string verdict(const Result& result) {
 }
 
 std::string heading(const Result& result) {
-  std::string text =
-      fmt::format("<h1>{}, R = {:g} Å</h1>\n",
-                  html::escaped(result.card || result.sheet ? result.resolved.potential : "membrane"),
-                  result.resolved.radius_A);
+  std::string text = fmt::format("<h1>{}, R = {:g} Å</h1>\n",
+                                 html::escaped(result.card || result.sheet ? result.resolved.potential : "membrane"),
+                                 result.resolved.radius_A);
   if (const auto& card = result.card)
     text += fmt::format(
         "<p class=\"soft\">Potential card: a<sub>0</sub> = {:.5f} Å, E·h = {:.1f} N/m ({:.3f} eV/Å²), ν = "
@@ -101,8 +101,7 @@ std::string headline_tables(const Result& result) {
                       direct ? pair_N_per_m(direct->Eh_eV_per_A2, direct->Eh_stderr_eV_per_A2, 1) : "–"});
     pretensions.push_back(
         {name_of(run), pretension, pair_N_per_m(fit.pretension_eV_per_A2, fit.pretension_stderr_eV_per_A2, 3),
-         bias ? fmt::format("{:+.3f}",
-                            in_N_per_m(bias->pretension_read_eV_per_A2 - bias->pretension_true_eV_per_A2))
+         bias ? fmt::format("{:+.3f}", in_N_per_m(bias->pretension_read_eV_per_A2 - bias->pretension_true_eV_per_A2))
               : "–",
          bias ? number(in_N_per_m(bias->pretension_corrected_eV_per_A2), "{:.3f}") : "–",
          direct ? pair_N_per_m(direct->pretension_eV_per_A2, direct->pretension_stderr_eV_per_A2, 3) : "–"});
@@ -113,8 +112,7 @@ std::string headline_tables(const Result& result) {
   std::string skipped;
   for (const Run& run : result.runs)
     if (!run.fit)
-      skipped +=
-          "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
+      skipped += "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
   return "<h2>E·h and pretension (N/m)</h2>\n" + html::table(header("E·h"), moduli) +
          html::table(header("pretension"), pretensions) + skipped +
          "<p class=\"soft\">True: the constants of the membrane, or of the potential from small strains. Its "
@@ -146,16 +144,16 @@ std::string figures_html(const std::vector<ReportFigure>& figures) {
 std::string regimes(const Comparison& c, double tolerance) {
   std::string text;
   if (std::isfinite(c.bending_to_A))
-    text +=
-        fmt::format("Bending keeps the atoms more than {:g} % above the membrane up to a depth of {:.3g} Å. ",
-                    100 * tolerance, c.bending_to_A);
+    text += fmt::format("Bending keeps the atoms more than {:g} % above the membrane up to a depth of {:.3g} Å. ",
+                        100 * tolerance, c.bending_to_A);
   if (std::isfinite(c.softening_from_A))
     text += fmt::format("Softening of the bonds takes them more than {:g} % below it from {:.3g} Å on. ",
                         100 * tolerance, c.softening_from_A);
   if (std::isfinite(c.artefact_from_A))
     text += fmt::format("From {:.3g} Å on the forces are an artefact of the potential. ", c.artefact_from_A);
   if (std::isfinite(c.predicted_artefact_from_A))
-    text += fmt::format("The calibrated sheet's strains put the artefact's beginning at {:.3g} Å. ", c.predicted_artefact_from_A);
+    text += fmt::format("The calibrated sheet's strains put the artefact's beginning at {:.3g} Å. ",
+                        c.predicted_artefact_from_A);
   return text.empty() ? "One regime throughout." : text;
 }
 
@@ -195,7 +193,8 @@ std::string comparisons(const Result& result) {
   return text +
          "<p class=\"soft\">Ratios are atoms / membrane with the potential's own constants: force and energy "
          "at equal depth, "
-         "depth at equal force; force over that of the membrane and of the bending sheet with the potential's own law. What "
+         "depth at equal force; force over that of the membrane and of the bending sheet with the potential's own law. "
+         "What "
          "a plain membrane (nominal radii, St Venant–Kirchhoff) lacks is in per cent of its force.</p>\n";
 }
 
@@ -208,20 +207,18 @@ std::string fits(const Result& result) {
     rows.push_back({name_of(run), interval_N_per_m(fit.Eh_interval_eV_per_A2, 1),
                     number(in_N_per_m(fit.Eh_bootstrap_eV_per_A2), "{:.2f}"),
                     interval_N_per_m(fit.pretension_interval_eV_per_A2, 3),
-                    number(in_N_per_m(fit.pretension_bootstrap_eV_per_A2), "{:.3f}"),
-                    number(fit.correlation, "{:.3f}"), number(fit.condition_number, "{:.1f}"),
-                    number(fit.r_squared, "{:.6f}"), number(100 * fit.rms_relative, "{:.3f}"),
-                    fmt::format("{}", fit.points),
+                    number(in_N_per_m(fit.pretension_bootstrap_eV_per_A2), "{:.3f}"), number(fit.correlation, "{:.3f}"),
+                    number(fit.condition_number, "{:.1f}"), number(fit.r_squared, "{:.6f}"),
+                    number(100 * fit.rms_relative, "{:.3f}"), fmt::format("{}", fit.points),
                     fmt::format("{:.3g} … {:.3g}", fit.window_A[0], fit.window_A[1])});
     for (const std::string& warning : fit.warnings)
       warnings += "<li>" + html::escaped(name_of(run)) + ": " + html::escaped(warning) + "</li>\n";
   }
   if (rows.empty()) return {};
-  std::string text =
-      "<h2>How far to trust the fits</h2>\n" +
-      html::table({"Eq. 16 fitted to", "E·h 95 %", "bootstrap ±", "pretension 95 %", "bootstrap ±",
-                   "correlation", "condition", "R²", "rms %", "points", "depths (Å)"},
-                  rows);
+  std::string text = "<h2>How far to trust the fits</h2>\n" +
+                     html::table({"Eq. 16 fitted to", "E·h 95 %", "bootstrap ±", "pretension 95 %", "bootstrap ±",
+                                  "correlation", "condition", "R²", "rms %", "points", "depths (Å)"},
+                                 rows);
   if (!warnings.empty()) text += "<ul>\n" + warnings + "</ul>\n";
   return text;
 }
@@ -231,7 +228,8 @@ std::string contact(const Run& run) {
   if (!run.contact) return {};
   const ContactSensitivity& c = *run.contact;
   return fmt::format(
-      "<p>{}: atoms are up to {:.3f} Å inside the sphere. A contact four times stiffer changes the last depth's force by "
+      "<p>{}: atoms are up to {:.3f} Å inside the sphere. A contact four times stiffer changes the last depth's force "
+      "by "
       "{:.2f} % at equal travel and by {:.2f} % at equal depth of the sheet.</p>\n",
       html::escaped(name_of(run)), c.deepest_penetration_A, 100 * c.force_change_relative,
       100 * c.force_change_at_equal_depth_relative);
@@ -243,8 +241,7 @@ std::string quality(const Result& result) {
     const bool atoms = run.model == Model::atomistic;
     Rows rows;
     for (std::size_t i = 0; i < run.depth_A.size(); ++i) {
-      std::vector<std::string> row = {number(run.depth_A[i], "{:.3f}"),
-                                      number(run.force_eV_per_A[i], "{:.5f}"),
+      std::vector<std::string> row = {number(run.depth_A[i], "{:.3f}"), number(run.force_eV_per_A[i], "{:.5f}"),
                                       number(run.energy_eV[i], "{:.4f}"), run.converged[i] ? "yes" : "no"};
       if (atoms) {
         const std::vector<std::string> more = {
@@ -263,8 +260,8 @@ std::string quality(const Result& result) {
                                          "force error",      "evaluations",    "factors"}
               : std::vector<std::string>{"Newton steps"};
     header.insert(header.end(), more.begin(), more.end());
-    text += fmt::format("<details><summary>{}: {} depths, ended: {}{}</summary>\n",
-                        html::escaped(name_of(run)), run.depth_A.size(), to_string(run.ended),
+    text += fmt::format("<details><summary>{}: {} depths, ended: {}{}</summary>\n", html::escaped(name_of(run)),
+                        run.depth_A.size(), to_string(run.ended),
                         run.ended_reason.empty() ? "" : " (" + html::escaped(run.ended_reason) + ")") +
             html::table(header, rows) + "</details>\n" + contact(run);
   }
@@ -286,13 +283,12 @@ std::string provenance(const Result& result) {
   add("potential file", p.potential_file);
   add("SHA-256", p.potential_sha256);
   if (std::isfinite(result.timing.wall_s)) add("wall time", fmt::format("{:.1f} s", result.timing.wall_s));
-  text +=
-      "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
+  text += "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
   text += "<h2>How to make this again</h2>\n<pre>" + html::escaped(p.command_line) +
           "\nvalidate report run.h5    # this page, without computing</pre>\n";
   text += "<details><summary>the resolved case</summary>\n<pre>" +
-          html::escaped(case_document(result.resolved)
-                            .dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
+          html::escaped(
+              case_document(result.resolved).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
           "</pre></details>\n";
   return text;
 }
@@ -300,11 +296,9 @@ std::string provenance(const Result& result) {
 }  // namespace
 
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures) {
-  const std::string body = heading(result) + verdict(result) + headline_tables(result) +
-                           figures_html(figures) + comparisons(result) + fits(result) + quality(result) +
-                           provenance(result);
-  return html::page(
-      fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A), body);
+  const std::string body = heading(result) + verdict(result) + headline_tables(result) + figures_html(figures) +
+                           comparisons(result) + fits(result) + quality(result) + provenance(result);
+  return html::page(fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A), body);
 }
 
 }  // namespace validate

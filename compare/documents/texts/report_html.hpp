@@ -21,7 +21,6 @@ std::string report_html(const Result& result, const std::vector<ReportFigure>& f
 
 /// Draws the figures anew (in a folder of its own that is removed) and writes the page; the atoms come from the run's
 /// folder. Without gnuplot the page has no figures and says so. Throws Error (file failed).
-void write_report(const Result& result, const std::filesystem::path& run_folder,
-                  const std::filesystem::path& target);
+void write_report(const Result& result, const std::filesystem::path& run_folder, const std::filesystem::path& target);
 
 }  // namespace validate

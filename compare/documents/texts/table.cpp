@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "compare/base/errors.hpp"
-#include "compare/documents/plots/explanation_text.hpp"
 #include "compare/base/units.hpp"
+#include "compare/documents/plots/explanation_text.hpp"
 
 namespace validate {
 
@@ -48,9 +48,8 @@ const Row headings = {"Eq. 16 fitted to", "E·h",  "E·h", "card", "pretension",
 const Row units = {"", "N/m ± error", "eV/Å²", "N/m", "N/m ± error", "", "%", "", "eV/Å @ Å", ""};
 
 void add_row(std::string& text, const Row& cell) {
-  const std::string line =
-      fmt::format("{:<25}{:>13}{:>7}{:>7}  {:>15}{:>7}{:>6}{:>5}  {:>14}  {}", cell[0], cell[1], cell[2],
-                  cell[3], cell[4], cell[5], cell[6], cell[7], cell[8], cell[9]);
+  const std::string line = fmt::format("{:<25}{:>13}{:>7}{:>7}  {:>15}{:>7}{:>6}{:>5}  {:>14}  {}", cell[0], cell[1],
+                                       cell[2], cell[3], cell[4], cell[5], cell[6], cell[7], cell[8], cell[9]);
   text.append(line, 0, line.find_last_not_of(' ') + 1) += '\n';
 }
 
@@ -100,12 +99,11 @@ Row row_of(const Run& run, const std::string& card) {
 void add_corrections(std::string& text, const std::vector<Run>& runs) {
   if (std::ranges::none_of(runs, [](const Run& run) { return run.fit && run.fit->bias; })) return;
   const auto line = [&](const std::array<std::string, 6>& cell) {
-    const std::string row = fmt::format("{:<25}{:>16}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2],
-                                        cell[3], cell[4], cell[5]);
+    const std::string row =
+        fmt::format("{:<25}{:>16}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5]);
     text.append(row, 0, row.find_last_not_of(' ') + 1) += '\n';
   };
-  line({"Bias known, removed", "Eq. 16 reads", "corrected", "membrane itself", "corrected",
-        "membrane itself"});
+  line({"Bias known, removed", "Eq. 16 reads", "corrected", "membrane itself", "corrected", "membrane itself"});
   line({"", "E·h of membrane", "E·h (N/m)", "E·h (N/m)", "pretension (N/m)", "pretension (N/m)"});
   for (const Run& run : runs) {
     if (!run.fit || !run.fit->bias) continue;
@@ -113,12 +111,11 @@ void add_corrections(std::string& text, const std::vector<Run>& runs) {
     const auto& direct = run.fit->direct;
     line({name_of(run), fmt::format("{:+.1f} %", 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1)),
           fixed(in_N_per_m(bias.Eh_corrected_eV_per_A2), 1),
-          direct ? with_error(in_N_per_m(direct->Eh_eV_per_A2), in_N_per_m(direct->Eh_stderr_eV_per_A2), 1)
-                 : "",
+          direct ? with_error(in_N_per_m(direct->Eh_eV_per_A2), in_N_per_m(direct->Eh_stderr_eV_per_A2), 1) : "",
           fixed(in_N_per_m(bias.pretension_corrected_eV_per_A2), 3),
-          direct ? with_error(in_N_per_m(direct->pretension_eV_per_A2),
-                              in_N_per_m(direct->pretension_stderr_eV_per_A2), 3)
-                 : ""});
+          direct
+              ? with_error(in_N_per_m(direct->pretension_eV_per_A2), in_N_per_m(direct->pretension_stderr_eV_per_A2), 3)
+              : ""});
   }
   text += '\n';
 }
@@ -126,24 +123,25 @@ void add_corrections(std::string& text, const std::vector<Run>& runs) {
 void add_notes(std::string& text, const Result& result, const Run& run) {
   const auto artefacts = std::ranges::count(run.artefact, true);
   if (artefacts > 0) {
-    sentence(text,
-             "{}: {} {} with a bond ≥ {:.2f} Å (artefact zone, from {:.4g} Å on) left out of fit and verdict",
+    sentence(text, "{}: {} {} with a bond ≥ {:.2f} Å (artefact zone, from {:.4g} Å on) left out of fit and verdict",
              name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_of(result),
              run.depth_A[*first_artefact(run)]);
   }
   if (const auto& c = run.contact) {
-    sentence(text,
-             "{}: atoms up to {:.3f} Å inside the sphere; a contact four times stiffer changes the last force by {:.2f} % "
-             "at equal travel, {:.2f} % at equal depth",
-             name_of(run), c->deepest_penetration_A, 100 * c->force_change_relative,
-             100 * c->force_change_at_equal_depth_relative);
+    sentence(
+        text,
+        "{}: atoms up to {:.3f} Å inside the sphere; a contact four times stiffer changes the last force by {:.2f} % "
+        "at equal travel, {:.2f} % at equal depth",
+        name_of(run), c->deepest_penetration_A, 100 * c->force_change_relative,
+        100 * c->force_change_at_equal_depth_relative);
   }
   if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
   const bool law_left = run.constants == Constants::calibrated && run.ended != Ended::not_converged;  // what laws do
   if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
-  if (!run.fit || !(run.constants == Constants::none || run.constants == Constants::given)) return;  // bias: shown above
+  if (!run.fit || !(run.constants == Constants::none || run.constants == Constants::given))
+    return;  // bias: shown above
   for (const std::string& warning : run.fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
 }
 
@@ -152,9 +150,8 @@ std::string worst_point(const Agreement& agreement) {
   if (agreement.ratio.empty()) return "";
   const auto difference = [](double ratio) { return std::abs(ratio - 1); };
   const auto worst = std::ranges::max_element(agreement.ratio, {}, difference) - agreement.ratio.begin();
-  return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})",
-                     agreement.depth_A[static_cast<std::size_t>(worst)], agreement.against,
-                     agreement.ratio[static_cast<std::size_t>(worst)]);
+  return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})", agreement.depth_A[static_cast<std::size_t>(worst)],
+                     agreement.against, agreement.ratio[static_cast<std::size_t>(worst)]);
 }
 
 // Where the atoms follow the membrane, and why not elsewhere.
@@ -165,18 +162,16 @@ void add_regimes(std::string& text, const Result& result) {
     const double bending = std::isfinite(c.bending_to_A) ? c.bending_to_A : 0;
     const double softening = std::isfinite(c.softening_from_A) ? c.softening_from_A : largest;
     std::string more;
-    if (std::isfinite(c.softening_from_A))
-      more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
-    if (std::isfinite(c.artefact_from_A))
-      more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
+    if (std::isfinite(c.softening_from_A)) more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
+    if (std::isfinite(c.artefact_from_A)) more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
     if (std::isfinite(c.predicted_artefact_from_A))
       more += fmt::format(" (predicted by the sheet's strains: {:.3g} Å)", c.predicted_artefact_from_A);
     if (c.regime.back() == Regime::bending) {
       sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", c.load,
                1 + result.resolved.regime_tolerance, more);
     } else {
-      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}",
-               c.load, bending, softening, 100 * result.resolved.regime_tolerance, more);
+      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}", c.load,
+               bending, softening, 100 * result.resolved.regime_tolerance, more);
     }
   }
   if (!result.comparisons.empty()) text += '\n';
@@ -209,9 +204,8 @@ void add_verdict(std::string& text, const Result& result, bool colour) {
 std::string table(const Result& result, bool colour) {
   std::string text;
   if (const auto& card = result.card) {
-    sentence(text, "{}: a0 = {:.4f} Å, E·h = {:.1f} N/m ({:.2f} eV/Å²), nu = {:.4f}",
-             result.resolved.potential, card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2,
-             card->nu);
+    sentence(text, "{}: a0 = {:.4f} Å, E·h = {:.1f} N/m ({:.2f} eV/Å²), nu = {:.4f}", result.resolved.potential,
+             card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2, card->nu);
   }
   if (const auto& sheet = result.sheet) {
     sentence(text, "sheet: R = {:g} Å, effective radius a = {:.3f} Å, {} atoms", sheet->radius_A,

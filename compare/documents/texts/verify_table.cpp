@@ -42,26 +42,24 @@ std::string table_text(const std::vector<Row>& rows) {
     widest_case = std::max(widest_case, row.name.size());
     widest_quantity = std::max(widest_quantity, row.quantity.size());
   }
-  std::string text = fmt::format("{:4} {:9} {:{}} {:{}} {:>15}    {:>15} {:>8} {:>8}  {}\n", "", "group",
-                                 "case", widest_case, "quantity", widest_quantity, "computed", "reference",
-                                 "error", "allowed", "origin");
+  std::string text =
+      fmt::format("{:4} {:9} {:{}} {:{}} {:>15}    {:>15} {:>8} {:>8}  {}\n", "", "group", "case", widest_case,
+                  "quantity", widest_quantity, "computed", "reference", "error", "allowed", "origin");
   for (const Row& row : rows)
     text += fmt::format("{:4} {:9} {:{}} {:{}} {:>15.9g} {:>2} {:>15.9g} {:>8} {:>8}  {}{}\n",
-                        passes(row) ? "ok" : "FAIL", row.group, row.name, widest_case, row.quantity,
-                        widest_quantity, row.computed, relation_text(row.relation), row.reference.value,
-                        error_text(row), tolerance_text(row), row.reference.origin,
-                        row.note.empty() ? "" : " (" + row.note + ")");
+                        passes(row) ? "ok" : "FAIL", row.group, row.name, widest_case, row.quantity, widest_quantity,
+                        row.computed, relation_text(row.relation), row.reference.value, error_text(row),
+                        tolerance_text(row), row.reference.origin, row.note.empty() ? "" : " (" + row.note + ")");
   return text;
 }
 
 std::string table_csv(const std::vector<Row>& rows) {
-  std::string text =
-      "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note\n";
+  std::string text = "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note\n";
   for (const Row& row : rows)
-    text += fmt::format("{},{},{},{:.12g},{},{:.12g},{},{:.3e},{:.3e},{},{}\n", row.group, quoted(row.name),
-                        quoted(row.quantity), row.computed, relation_text(row.relation), row.reference.value,
-                        quoted(row.reference.origin), relative_error(row), row.tolerance, passes(row),
-                        quoted(row.note));
+    text +=
+        fmt::format("{},{},{},{:.12g},{},{:.12g},{},{:.3e},{:.3e},{},{}\n", row.group, quoted(row.name),
+                    quoted(row.quantity), row.computed, relation_text(row.relation), row.reference.value,
+                    quoted(row.reference.origin), relative_error(row), row.tolerance, passes(row), quoted(row.note));
   return text;
 }
 

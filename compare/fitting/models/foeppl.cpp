@@ -43,11 +43,7 @@ double enclosed(const FoepplDisc& disc, double force, double x) {
 class Newton {
  public:
   Newton(const FoepplDisc& disc, double force, double pretension, int intervals)
-      : disc_(disc),
-        force_(force),
-        pretension_(pretension),
-        grid_(disc.tip, intervals),
-        size_(intervals + 1) {
+      : disc_(disc), force_(force), pretension_(pretension), grid_(disc.tip, intervals), size_(intervals + 1) {
     state_.resize(size_);
     for (int i = 0; i < size_; ++i) state_[i] = start(grid_.x(i));
   }
@@ -94,9 +90,9 @@ class Newton {
   /// x.
   void add_local(Row& row, int i) const {
     const double x = grid_.x(i), psi = state_[i][0], phi = state_[i][1];
-    row.residual += Vector2d(
-        -psi + x * phi * phi / 2,
-        (-disc_.bending * phi - x * psi * phi + x * enclosed(disc_, force_, x) / (2 * pi)) / scale(x));
+    row.residual +=
+        Vector2d(-psi + x * phi * phi / 2,
+                 (-disc_.bending * phi - x * psi * phi + x * enclosed(disc_, force_, x) / (2 * pi)) / scale(x));
     row.diagonal(0, 0) += -1;
     row.diagonal(0, 1) += x * phi;
     row.diagonal(1, 0) += -x * phi / scale(x);
@@ -223,16 +219,14 @@ FoepplState solve(const FoepplDisc& disc, double force, double pretension, int i
 
 double depth_under(const FoepplDisc& disc, double force, double pretension) {
   constexpr int coarse = 400;
-  const FoepplState first = solve(disc, force, pretension, coarse),
-                    second = solve(disc, force, pretension, 2 * coarse);
+  const FoepplState first = solve(disc, force, pretension, coarse), second = solve(disc, force, pretension, 2 * coarse);
   if (!first.converged || !second.converged)
     throw std::runtime_error("the Föppl–von Kármán equations did not converge");
   return (4 * second.depth - first.depth) / 3;
 }
 
 double force_at(const FoepplDisc& disc, double depth, double pretension) {
-  double log_force =
-      std::log(depth * depth * depth + pi * pretension * depth + 16 * pi * disc.bending * depth);
+  double log_force = std::log(depth * depth * depth + pi * pretension * depth + 16 * pi * disc.bending * depth);
   double power = 1.0 / 3;  // d ln depth / d ln force, improved by secants
   double last = 0, last_miss = 0;
   for (int i = 0; i < 50; ++i) {
@@ -282,8 +276,8 @@ double FoepplCurve::reduced(double xi, double* derivative) const {
                                                 static_cast<std::ptrdiff_t>(xi_.size()) - 1);
   const auto i = static_cast<std::size_t>(after) - 1;
   const double h = xi_[i + 1] - xi_[i], b = (xi - xi_[i]) / h, a = 1 - b;
-  *derivative = (ratio_[i + 1] - ratio_[i]) / h +
-                h / 6 * ((3 * b * b - 1) * curvature_[i + 1] - (3 * a * a - 1) * curvature_[i]);
+  *derivative =
+      (ratio_[i + 1] - ratio_[i]) / h + h / 6 * ((3 * b * b - 1) * curvature_[i + 1] - (3 * a * a - 1) * curvature_[i]);
   return a * ratio_[i] + b * ratio_[i + 1] +
          h * h / 6 * ((a * a * a - a) * curvature_[i] + (b * b * b - b) * curvature_[i + 1]);
 }

@@ -44,7 +44,7 @@ class FoepplCurve {
   FoepplCurve(double nu, double tip);
 
   double alpha() const { return alpha_; }  ///< g(0):  F = α E·h δ³/a² without pretension
-  double beta() const { return beta_; }  ///< g′(0)/π:  F ≈ α E·h δ³/a² + β π σ0h δ at first order
+  double beta() const { return beta_; }    ///< g′(0)/π:  F ≈ α E·h δ³/a² + β π σ0h δ at first order
 
   double g(double eta) const;
   double slope(double eta) const;  ///< dg/dη

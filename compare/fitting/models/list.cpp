@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "compare/base/errors.hpp"
+#include "compare/base/nearest.hpp"
 #include "compare/fitting/models/eq16.hpp"
 #include "compare/fitting/models/foeppl.hpp"
-#include "compare/base/nearest.hpp"
 
 namespace validate {
 namespace {
@@ -20,10 +20,7 @@ using std::numbers::pi;
 
 /// cubic E·h δ³ + linear σ0h δ + constant δ
 AnyCurveModel cubic_and_linear(double cubic, double linear, double constant = 0) {
-  return {2,
-          [=](double d, std::span<const double> p) {
-            return d * (d * d * cubic * p[0] + linear * p[1] + constant);
-          },
+  return {2, [=](double d, std::span<const double> p) { return d * (d * d * cubic * p[0] + linear * p[1] + constant); },
           [=](double d, std::span<const double>, std::span<double> g) {
             g[0] = cubic * d * d * d;
             g[1] = linear * d;
@@ -100,45 +97,40 @@ AnyCurveModel hencky(const ModelGeometry& m) {
 }
 
 constexpr std::array forms = {
-    ClosedForm{
-        "disc", "F = α(ν, c/a) E·h δ³/a² + β(ν, c/a) π σ0h δ",
-        "uniform load on r ≤ c; exact coefficients of shallow membrane theory, first order in the pretension",
-        "Föppl–von Kármán equations solved here; Vella & Davidovitch, Soft Matter 13 (2017) 2264",
-        TipShape::disc, false, disc},
-    ClosedForm{
-        "eq16", "F = E·h q³ δ³/a² + π σ0h δ, q = 1/(1.05 − 0.15 ν − 0.16 ν²)",
-        "a point load at large depth, ν ≥ 0: q³ within 1 % of exact; the pretension term holds for no point "
-        "load "
-        "(exact: 0.67 to 0.69 of it) and a tip of finite size is stiffer",
-        "Gil et al., J. Phys.: Condens. Matter 22 (2010) 145302, Eq. 16; Lee et al., Science 321 (2008) 385",
-        TipShape::none, false, eq16},
-    ClosedForm{
-        "foeppl", "F = E·h δ³/a² g(σ0h a²/(E·h δ²); ν, c/a)",
-        "uniform load on r ≤ c (or a point) and any pretension; slopes small against 1 (δ/a below 0.25 costs "
-        "less than 0.5 % in force), no bending",
-        "Föppl–von Kármán equations solved here, tabulated on demand", TipShape::disc, false, foeppl},
+    ClosedForm{"disc", "F = α(ν, c/a) E·h δ³/a² + β(ν, c/a) π σ0h δ",
+               "uniform load on r ≤ c; exact coefficients of shallow membrane theory, first order in the pretension",
+               "Föppl–von Kármán equations solved here; Vella & Davidovitch, Soft Matter 13 (2017) 2264",
+               TipShape::disc, false, disc},
+    ClosedForm{"eq16", "F = E·h q³ δ³/a² + π σ0h δ, q = 1/(1.05 − 0.15 ν − 0.16 ν²)",
+               "a point load at large depth, ν ≥ 0: q³ within 1 % of exact; the pretension term holds for no point "
+               "load "
+               "(exact: 0.67 to 0.69 of it) and a tip of finite size is stiffer",
+               "Gil et al., J. Phys.: Condens. Matter 22 (2010) 145302, Eq. 16; Lee et al., Science 321 (2008) 385",
+               TipShape::none, false, eq16},
+    ClosedForm{"foeppl", "F = E·h δ³/a² g(σ0h a²/(E·h δ²); ν, c/a)",
+               "uniform load on r ≤ c (or a point) and any pretension; slopes small against 1 (δ/a below 0.25 costs "
+               "less than 0.5 % in force), no bending",
+               "Föppl–von Kármán equations solved here, tabulated on demand", TipShape::disc, false, foeppl},
     ClosedForm{"hencky", "p = E·h w³/(C³ a⁴) + 4 σ0h w/a², C(ν) = (π/α(ν, 1))^{1/3}",
                "clamped disc under pressure, shallow; each term exact where the other vanishes",
                "Hencky, Z. Math. Phys. 63 (1915) 311; C(0.3) = 0.6534", TipShape::none, true, hencky},
     ClosedForm{"plate", "F = 64π κ δ/(a² (4 − 4ĉ² ln(1/ĉ) − 3ĉ²)) + β π σ0h δ + α E·h δ³/a², ĉ = c/a",
                "clamped plate, uniform load on r ≤ c; the sum of its limits, low by up to 17 % between them",
-               "Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, § 19", TipShape::disc, false,
-               plate},
+               "Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, § 19", TipShape::disc, false, plate},
     ClosedForm{"point", "F = α(ν) E·h δ³/a² + β(ν) π σ0h δ, α(1/3) = π/3, β(1/3) = 2/3",
                "a point load; exact coefficients of shallow membrane theory (α(1/3) for any depth), first "
                "order in the "
                "pretension",
-               "Schwerin, Z. Angew. Math. Mech. 9 (1929) 482; Föppl–von Kármán equations solved here",
-               TipShape::none, false, point},
-    ClosedForm{
-        "sphere-pretension", "F = 2π σ0h b²/Rt + α(ν) E·h δ³/a², δ = (b²/Rt)(ln(a/b) + ½)",
-        "frictionless sphere of radius Rt, contact radius b; the pretension term is exact where E·h δ²/a² is "
-        "small against σ0h, the cubic one where the contact is small",
-        "Vella & Davidovitch, Soft Matter 13 (2017) 2264", TipShape::sphere, false, sphere_pretension},
+               "Schwerin, Z. Angew. Math. Mech. 9 (1929) 482; Föppl–von Kármán equations solved here", TipShape::none,
+               false, point},
+    ClosedForm{"sphere-pretension", "F = 2π σ0h b²/Rt + α(ν) E·h δ³/a², δ = (b²/Rt)(ln(a/b) + ½)",
+               "frictionless sphere of radius Rt, contact radius b; the pretension term is exact where E·h δ²/a² is "
+               "small against σ0h, the cubic one where the contact is small",
+               "Vella & Davidovitch, Soft Matter 13 (2017) 2264", TipShape::sphere, false, sphere_pretension},
     ClosedForm{"tip-pretension", "F = 2π σ0h δ/(ln(a/c) + ½) + α(ν, c/a) E·h δ³/a²",
                "uniform load on r ≤ c; each term exact where the other vanishes",
-               "Laplace's equation for the taut sheet; Vella & Davidovitch, Soft Matter 13 (2017) 2264",
-               TipShape::disc, false, tip_pretension},
+               "Laplace's equation for the taut sheet; Vella & Davidovitch, Soft Matter 13 (2017) 2264", TipShape::disc,
+               false, tip_pretension},
 };
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace {
 
 using atomistic::HomogeneousState;
 
-
 double I_of(const HomogeneousState& s) { return s.strain.E11 + s.strain.E22; }
 double q_of(const HomogeneousState& s) { return std::abs(s.strain.E11 - s.strain.E22) / 2; }
 
@@ -87,8 +86,8 @@ LongestBond fit_longest_bond(double rest_A, const std::vector<HomogeneousState>&
   const LinearFit fit = linear_fit(X, y, Eigen::VectorXd::Ones(rows));
   LongestBond found{.rest_A = rest_A, .terms = {}};
   for (Eigen::Index k = 0; k < X.cols(); ++k)
-    found.terms.push_back({powers[static_cast<std::size_t>(k)].first, powers[static_cast<std::size_t>(k)].second,
-                           fit.coefficients[k]});
+    found.terms.push_back(
+        {powers[static_cast<std::size_t>(k)].first, powers[static_cast<std::size_t>(k)].second, fit.coefficients[k]});
   found.worst_misfit_A = (X * fit.coefficients - y).cwiseAbs().maxCoeff();
   return found;
 }

@@ -11,8 +11,8 @@ struct LinearFit {
   double condition_number = 0;      ///< of the weighted matrix with columns of equal length
 };
 
-/// Minimises Σ w_i (y − X c)_i². Throws std::invalid_argument where there are fewer rows than columns or a column that the
-/// others make up.
+/// Minimises Σ w_i (y − X c)_i². Throws std::invalid_argument where there are fewer rows than columns or a column that
+/// the others make up.
 LinearFit linear_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::VectorXd& weights);
 
 /// The coefficients of least norm among those that minimise it, where the rows do not determine all of them.

@@ -19,8 +19,8 @@ inline constexpr double zigzag_deg = 0, averaged_deg = 15, armchair_deg = 30;
 /// longest_calibrated_bond_A, at the three angles (equibiaxial ones once): 176 states.
 std::vector<atomistic::StrainState> calibration_strains(double bond_A);
 
-/// Size of a state's membrane force, eV/Å², which misfits are relative to; never below 0.1, so that small forces do not count
-/// for more than they mean.
+/// Size of a state's membrane force, eV/Å², which misfits are relative to; never below 0.1, so that small forces do not
+/// count for more than they mean.
 double size_of(const atomistic::HomogeneousState& state);
 
 }  // namespace validate

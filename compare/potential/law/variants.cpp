@@ -142,7 +142,8 @@ membrane::CauchyBornTable calibrate_table(const atomistic::Card& card, const std
                              }));
 }
 
-membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card, const std::vector<HomogeneousState>& states) {
+membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card,
+                                              const std::vector<HomogeneousState>& states) {
   membrane::CauchyBornSixfold law{card.sheet_modulus_eV_per_A2(), card.nu(), 0, {}};
   const auto add = [&](membrane::Sixfold angle, int lowest_b, int highest_degree) {
     for (int degree = 3; degree <= highest_degree; ++degree)
@@ -158,8 +159,9 @@ membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card, const
     for (std::size_t k = 0; k < l.terms.size(); ++k) l.terms[k].coefficient_eV_per_A2 = c[static_cast<Eigen::Index>(k)];
     return l;
   };
-  return with(fit_linear_law(law.terms.size(), usable(states, true),
-                             [&](const Eigen::VectorXd& c, const HomogeneousState& s) { return sixfold_force(with(c), s); }));
+  return with(
+      fit_linear_law(law.terms.size(), usable(states, true),
+                     [&](const Eigen::VectorXd& c, const HomogeneousState& s) { return sixfold_force(with(c), s); }));
 }
 
 std::vector<LawVariant> law_variants(const atomistic::Card& card, const std::vector<HomogeneousState>& states) {
@@ -178,7 +180,8 @@ std::vector<LawVariant> law_variants(const atomistic::Card& card, const std::vec
   CalibratedLaw highest;
   for (int degree = 5; degree <= default_degree; ++degree) {
     highest = calibrate(card, states, degree);
-    found.push_back(variant(fmt::format("degree {}", degree), highest.law.terms.size(), averaged, isotropic(highest.law)));
+    found.push_back(
+        variant(fmt::format("degree {}", degree), highest.law.terms.size(), averaged, isotropic(highest.law)));
     found.back().force_difference = largest_difference(sheet_forces(highest.law, bending), reference);
   }
   found.push_back(variant("table", table.coefficients_eV_per_A2.size(), averaged, isotropic(table)));

@@ -1,5 +1,5 @@
-// Side by side with LAMMPS's own minimisers: same potential, atoms, dead disc load and start (the continuum's shape), down
-// to the same largest force.
+// Side by side with LAMMPS's own minimisers: same potential, atoms, dead disc load and start (the continuum's shape),
+// down to the same largest force.
 //
 //   atomistic_against_lammps [POTENTIAL] [RADIUS_A] [FORCE_eV_per_A] [STYLE[,…]]
 //                                        exit code 1 unless cg needs 200 times the evaluations and 50 times the time
@@ -12,8 +12,8 @@
 #include <fstream>
 #include <string>
 
-#include "atomistic/protocol/data_file.hpp"
 #include "atomistic/loads/load_term.hpp"
+#include "atomistic/protocol/data_file.hpp"
 #include "tests/atomistic/plain_lammps.hpp"
 #include "tests/benchmark/atomistic/support.hpp"
 
@@ -71,7 +71,8 @@ Outcome lammps_alone(const Problem& problem, const std::string& style, double fo
     lammps.command("min_modify norm max");
     lammps.command(fmt::format("minimize 0 {} 1000000 1000000", max_force));
   } else {
-    lammps.minimise(style, max_force * std::sqrt(3.0 * sheet.free_atoms) / 10);  // the 2-norm of forces of a tenth of it
+    lammps.minimise(style,
+                    max_force * std::sqrt(3.0 * sheet.free_atoms) / 10);  // the 2-norm of forces of a tenth of it
   }
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.evaluations = lammps.evaluations();

@@ -45,7 +45,8 @@ int main(int argc, char** argv) {
   const MpiSession session(&argc, &argv);
   const auto words = [&](int k, const char* otherwise) { return split(argc > k ? argv[k] : otherwise); };
   bool good = true;
-  fmt::print("potential      R (Å) load         atoms  first depths  average  fact. force s setup s fact. s solve s  ended\n");
+  fmt::print(
+      "potential      R (Å) load         atoms  first depths  average  fact. force s setup s fact. s solve s  ended\n");
   for (const std::string& name : words(1, "all") == split("all") ? shipped_potentials() : words(1, "all"))
     for (const std::string& radius : words(2, "30,110"))
       for (const std::string& load : words(3, "point,disc"))

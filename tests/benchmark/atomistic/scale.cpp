@@ -31,12 +31,16 @@ Row measure(const std::string& name, double radius, const atomistic::MpiSession&
   const Path path = follow(problem, session);
   getrusage(RUSAGE_SELF, &after);
   const atomistic::Report& r = path.report;
-  const Row row{static_cast<double>(path.atoms), r.force_s + r.setup_s, r.factor_s, r.solve_s,
-                user_s(after) - user_s(before), static_cast<double>(after.ru_maxrss) / 1e6};
+  const Row row{static_cast<double>(path.atoms),
+                r.force_s + r.setup_s,
+                r.factor_s,
+                r.solve_s,
+                user_s(after) - user_s(before),
+                static_cast<double>(after.ru_maxrss) / 1e6};
   const atomistic::Step& step = path.steps.front();
-  fmt::print("{:10} {:6.0f} {:9} {:6} {:9} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:8.2f}   max|f| {:.1e}\n", name, radius,
-             path.atoms, step.evaluations, step.converged ? "yes" : "NO", row.force_s, row.factor_s, row.solve_s,
-             row.user_s, path.wall_s, row.memory_GB, step.max_force_eV_per_A);
+  fmt::print("{:10} {:6.0f} {:9} {:6} {:9} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:8.2f}   max|f| {:.1e}\n", name,
+             radius, path.atoms, step.evaluations, step.converged ? "yes" : "NO", row.force_s, row.factor_s,
+             row.solve_s, row.user_s, path.wall_s, row.memory_GB, step.max_force_eV_per_A);
   std::fflush(stdout);
   return row;
 }
@@ -47,15 +51,18 @@ int main(int argc, char** argv) {
   const atomistic::MpiSession session(&argc, &argv);
   const std::string name = argc > 1 ? argv[1] : "tersoff";
   std::vector<Row> rows;
-  fmt::print("potential   R (Å)     atoms evals. converged   force s  factor s   solve s    user s    wall s      GB\n");
+  fmt::print(
+      "potential   R (Å)     atoms evals. converged   force s  factor s   solve s    user s    wall s      GB\n");
   for (const std::string& radius : split(argc > 2 ? argv[2] : "30,110,300"))
     rows.push_back(measure(name, std::stod(radius), session));
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const double growth = std::log(rows[k].atoms / rows[k - 1].atoms);
-    const auto exponent = [&](double Row::*member) { return std::log(rows[k].*member / (rows[k - 1].*member)) / growth; };
-    fmt::print("exponents {:.0f} → {:.0f} atoms: force {:.2f}, factor {:.2f}, solve {:.2f}, memory {:.2f}\n", rows[k - 1].atoms,
-               rows[k].atoms, exponent(&Row::force_s), exponent(&Row::factor_s), exponent(&Row::solve_s),
-               exponent(&Row::memory_GB));
+    const auto exponent = [&](double Row::*member) {
+      return std::log(rows[k].*member / (rows[k - 1].*member)) / growth;
+    };
+    fmt::print("exponents {:.0f} → {:.0f} atoms: force {:.2f}, factor {:.2f}, solve {:.2f}, memory {:.2f}\n",
+               rows[k - 1].atoms, rows[k].atoms, exponent(&Row::force_s), exponent(&Row::factor_s),
+               exponent(&Row::solve_s), exponent(&Row::memory_GB));
   }
   return 0;
 }

@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "atomistic/cell/card.hpp"
-#include "atomistic/protocol/math_threads.hpp"
 #include "atomistic/cell/response.hpp"
+#include "atomistic/protocol/math_threads.hpp"
+#include "compare/input/potential_file.hpp"
+#include "compare/pairing/pairing.hpp"
 #include "compare/potential/law/calibrated_law.hpp"
 #include "compare/potential/law/states.hpp"
-#include "compare/pairing/pairing.hpp"
-#include "compare/input/potential_file.hpp"
 
 namespace benchmark_support {
 
@@ -22,9 +22,8 @@ namespace {
 const std::string folder = VALIDATE_SOURCE_INPUTS "/potentials";
 
 Load load_of(const std::string& name, double radius_A) {
-  const std::map<std::string, Load> loads = {{"point", PointLoad{}},
-                                             {"disc", DiscLoad{radius_A / 11}},
-                                             {"sphere", SphereLoad{.radius_A = radius_A / 4}}};
+  const std::map<std::string, Load> loads = {
+      {"point", PointLoad{}}, {"disc", DiscLoad{radius_A / 11}}, {"sphere", SphereLoad{.radius_A = radius_A / 4}}};
   return loads.at(name);
 }
 
@@ -45,8 +44,9 @@ std::vector<Guide> guides(const Problem& problem, const std::string& name, const
   c.tip_radius_A = load == "sphere" ? problem.radius_A / 4 : problem.radius_A / 11;
   const validate::PairedSheet pair(c, problem.potential, problem.card);
   return validate::guides_from(validate::calibrated_experiment(c, problem.card, law(name), pair, load, problem.levels,
-                                                             validate::Model::sheet, problem.potential.artefact_bond_A)
-                                  .problem);
+                                                               validate::Model::sheet,
+                                                               problem.potential.artefact_bond_A)
+                                   .problem);
 }
 
 }  // namespace
@@ -70,10 +70,14 @@ const Card& card(const std::string& name) {
 
 std::string name_of(Ended ended) {
   switch (ended) {
-    case Ended::depth_max: return "depth_max";
-    case Ended::artefact: return "artefact";
-    case Ended::rupture: return "rupture";
-    case Ended::not_converged: return "not_converged";
+    case Ended::depth_max:
+      return "depth_max";
+    case Ended::artefact:
+      return "artefact";
+    case Ended::rupture:
+      return "rupture";
+    case Ended::not_converged:
+      return "not_converged";
   }
   return "";
 }
@@ -94,14 +98,15 @@ Path follow(const Problem& problem, const MpiSession& session) {
   const auto start = std::chrono::steady_clock::now();
   Path path;
   path.atoms = make_sheet(problem).atoms();
-  const PathCallbacks callbacks{.on_step =
-                                    [&](const Step& step) {
-                                      path.steps.push_back(step);
-                                      for (Eigen::VectorXd* v : {&path.steps.back().positions, &path.steps.back().forces,
-                                                                 &path.steps.back().factorised_at})
-                                        v->resize(0);
-                                    },
-                                .on_progress = {}};
+  const PathCallbacks callbacks{
+      .on_step =
+          [&](const Step& step) {
+            path.steps.push_back(step);
+            for (Eigen::VectorXd* v :
+                 {&path.steps.back().positions, &path.steps.back().forces, &path.steps.back().factorised_at})
+              v->resize(0);
+          },
+      .on_progress = {}};
   path.report = follow_path(problem, "none", {}, callbacks, session);
   path.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return path;

@@ -5,8 +5,8 @@
 
 namespace benchmark_problems {
 
-/// a = 110 Å, E·h = 8.03368 eV/Å², nu = 0.19, pretension 0.02 eV/Å², disc of 11 Å, 20 eV/Å in five equal steps, on the full
-/// disc of 6 × rings² triangles: 48 600 with 90 rings. Centre depth 27.1627 Å (one-dimensional solver).
+/// a = 110 Å, E·h = 8.03368 eV/Å², nu = 0.19, pretension 0.02 eV/Å², disc of 11 Å, 20 eV/Å in five equal steps, on the
+/// full disc of 6 × rings² triangles: 48 600 with 90 rings. Centre depth 27.1627 Å (one-dimensional solver).
 inline membrane::Problem record_problem(int rings = 90) {
   membrane::Problem problem;
   problem.sheet = membrane::DiscSheet{.radius_A = 110, .rings = rings, .extent = membrane::Extent::full};

@@ -18,7 +18,8 @@ void sizes(benchmark::internal::Benchmark* b) {
   b->Unit(benchmark::kMillisecond);
 }
 
-/// Five load steps from flat, mesh and analysis included. First and in the order of sizes: each peak of memory is then its own.
+/// Five load steps from flat, mesh and analysis included. First and in the order of sizes: each peak of memory is then
+/// its own.
 void path(benchmark::State& state) {
   const membrane::Problem problem = record_problem(static_cast<int>(state.range(0)));
   membrane::Report report;

@@ -116,11 +116,9 @@ TEST_F(CaseFile, APotentialsPathStandsBesideTheCase) {
 }
 
 TEST_F(CaseFile, UnknownNames) {
-  refuses("radius = 30\nradus = 3\n",
-          {"case.toml:2", "unknown key 'radus'", "tip-radius", "did you mean 'radius'?"});
+  refuses("radius = 30\nradus = 3\n", {"case.toml:2", "unknown key 'radus'", "tip-radius", "did you mean 'radius'?"});
   refuses("[membrane]\nnuu = 0.2\n", {":2", "'nuu' in [membrane]", "E, thickness, nu", "did you mean 'nu'?"});
-  refuses("\n[atomistics]\n",
-          {":2", "unknown table [atomistics]", "[agreement]", "did you mean 'atomistic'?"});
+  refuses("\n[atomistics]\n", {":2", "unknown table [atomistics]", "[agreement]", "did you mean 'atomistic'?"});
   refuses("[expected]\nforce = 1\n", {":1", "unknown table [expected]"});
   refuses("nu = 0.2\n", {":1", "'nu' belongs to [membrane], not to the top level"});
   refuses("[agreement]\nradius = 3\n", {":2", "'radius' belongs to the top level, not to [agreement]"});
@@ -129,8 +127,7 @@ TEST_F(CaseFile, UnknownNames) {
 }
 
 TEST_F(CaseFile, WrongTypes) {
-  refuses("radius = true",
-          {":1: radius", "expected a number in Å or a text with a unit", "found true or false"});
+  refuses("radius = true", {":1: radius", "expected a number in Å or a text with a unit", "found true or false"});
   refuses("radius = [1, 2]", {":1: radius", "found a list"});
   refuses("radius = 2020-01-01", {":1: radius", "found a date or time"});
   refuses("[radius]\nx = 1", {":1", "radius"});
@@ -141,8 +138,7 @@ TEST_F(CaseFile, WrongTypes) {
   refuses("forces = []", {":1: forces", "the list is empty"});
   refuses("forces = [1, true]", {":1: forces", "expected a number"});
   refuses("[membrane]\nnu = \"0.2\"", {":2: nu", "expected a number", "found a text"});
-  refuses("[atomistic]\npast-artefact = 1",
-          {":2: past-artefact", "expected true or false", "found an integer"});
+  refuses("[atomistic]\npast-artefact = 1", {":2: past-artefact", "expected true or false", "found an integer"});
 }
 
 TEST_F(CaseFile, ValuesOutOfRange) {
@@ -202,8 +198,7 @@ TEST_F(CaseFile, FilesThatCannotBeRead) {
   expect_refusal([&] { read_case(missing, c, "--case"); }, {"--case", "there is no file", missing.string()});
   expect_refusal([&] { read_case(folder_.path(), c); }, {folder_.path().string(), "is a folder"});
   // exists, and reading it fails for everyone, root included
-  expect_refusal([&] { read_case("/proc/self/mem", c); }, {"cannot read '/proc/self/mem'"},
-                 ExitCode::file_failed);
+  expect_refusal([&] { read_case("/proc/self/mem", c); }, {"cannot read '/proc/self/mem'"}, ExitCode::file_failed);
 }
 
 }  // namespace

@@ -129,8 +129,7 @@ TEST(Check, TipWithoutAtoms) {
 }
 
 TEST(Check, DepthBeyondTheRadius) {
-  expect_refusal([] { check(changed([](Case& c) { c.depth_max_A = 111; })); },
-                 {"depth-max", "111 Å", "radius, 110 Å"});
+  expect_refusal([] { check(changed([](Case& c) { c.depth_max_A = 111; })); }, {"depth-max", "111 Å", "radius, 110 Å"});
 }
 
 TEST(Check, WarnsFromHalfTheRadius) {
@@ -173,8 +172,7 @@ TEST(Check, Loads) {
 
 TEST(Check, Window) {
   for (const auto& window : {std::vector<double>{0.1}, {0.15, 0.10}, {0.1, 0.1}, {0.1, 0.2, 0.3}, {}}) {
-    expect_refusal([&] { check(changed([&](Case& c) { c.window = window; })); },
-                   {"window", "two increasing"});
+    expect_refusal([&] { check(changed([&](Case& c) { c.window = window; })); }, {"window", "two increasing"});
   }
 }
 

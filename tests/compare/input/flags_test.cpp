@@ -43,9 +43,8 @@ TEST(Flags, EveryFieldHasOneOfItsName) {
 
 TEST(Flags, TakeUnitsListsAndSwitches) {
   const auto [c, origins, options] =
-      parse({"--radius", "11 nm", "--tip-radius=8", "--loads", "disc, point", "--forces",
-             "1, 1.602176634 nN,4", "--nu", "-0.158", "--E", "1.0209 TPa", "--pretension", "0.34 N/m",
-             "--past-artefact", "--window", "0.1,0.2"});
+      parse({"--radius", "11 nm", "--tip-radius=8", "--loads", "disc, point", "--forces", "1, 1.602176634 nN,4", "--nu",
+             "-0.158", "--E", "1.0209 TPa", "--pretension", "0.34 N/m", "--past-artefact", "--window", "0.1,0.2"});
   EXPECT_DOUBLE_EQ(c.radius_A, 110);
   EXPECT_EQ(c.tip_radius_A, 8);
   EXPECT_EQ(c.loads, (std::vector<std::string>{"disc", "point"}));
@@ -84,24 +83,16 @@ TEST(Flags, BadValuesNameTheFlag) {
   expect_refusal([] { parse({"--radius", ""}); }, {"--radius: '' is not a length"});
   expect_refusal([] { parse({"--forces", ""}); }, {"--forces"});
   expect_refusal([] { parse({"--forces", "1,,2"}); }, {"--forces", "''"});
-  expect_refusal(
-      [] {
-        parse({"--loads", "point,dics"});
-      },
-      {"--loads", "'dics'", "point, disc", "mean 'disc'?"});
+  expect_refusal([] { parse({"--loads", "point,dics"}); }, {"--loads", "'dics'", "point, disc", "mean 'disc'?"});
   expect_refusal([] { parse({"--loads", "point,"}); }, {"--loads", "empty"});
-  expect_refusal(
-      [] {
-        parse({"--models", "bth"});
-      },
-      {"--models", "membrane, atomistic, both", "mean 'both'?"});
+  expect_refusal([] { parse({"--models", "bth"}); }, {"--models", "membrane, atomistic, both", "mean 'both'?"});
   expect_refusal([] { parse({"--nu", "0.2 nm"}); }, {"--nu", "without a unit"});
   expect_refusal([] { parse({"--potential", ""}); }, {"--potential", "empty"});
 }
 
 TEST(Flags, OfARun) {
-  const RunOptions options = parse({"--out", "runs/x", "--json", "-", "--ranks", "2", "--launcher",
-                                    "srun -n 4", "--quiet", "--resume", "--dry-run", "--case", "my.toml"})
+  const RunOptions options = parse({"--out", "runs/x", "--json", "-", "--ranks", "2", "--launcher", "srun -n 4",
+                                    "--quiet", "--resume", "--dry-run", "--case", "my.toml"})
                                  .options;
   EXPECT_EQ(options.out, "runs/x");
   EXPECT_EQ(options.json, "-");
@@ -128,9 +119,9 @@ TEST(Flags, HelpGivesUnitRangeDefaultAndChoices) {
   CLI::App command;
   const CaseFlags flags(command);
   const std::string help = command.help();
-  for (const char* words : {"radius of the free sheet; > 0 Å; default 110", "default point,disc",
-                            "membrane, atomistic, both; default both", "> -1 and < 1",
-                            "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.03,0.5"}) {
+  for (const char* words :
+       {"radius of the free sheet; > 0 Å; default 110", "default point,disc", "membrane, atomistic, both; default both",
+        "> -1 and < 1", "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.03,0.5"}) {
     EXPECT_NE(help.find(words), std::string::npos) << words;
   }
 }

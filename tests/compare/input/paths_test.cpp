@@ -43,9 +43,8 @@ TEST(Paths, AWrongVariableIsRefusedEvenIfTheBuildTreeHasInputs) {
 
 TEST(Paths, NoInputsNamesBothPlaces) {
   const TemporaryFolder tree;
-  expect_refusal(
-      [&] { find_inputs(tree.path() / "build", ""); },
-      {(tree.path() / "inputs").string(), (tree.path() / "share/validate").string(), "VALIDATE_INPUTS"});
+  expect_refusal([&] { find_inputs(tree.path() / "build", ""); },
+                 {(tree.path() / "inputs").string(), (tree.path() / "share/validate").string(), "VALIDATE_INPUTS"});
 }
 
 TEST(Paths, ProgramFolderIsThatOfThisTest) {

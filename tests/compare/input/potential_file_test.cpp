@@ -32,9 +32,7 @@ class PotentialFileTest : public testing::Test {
   PotentialFile read(std::string_view name) {
     return read_potential(name, folder_.path() / "potentials", "--potential");
   }
-  PotentialFile read_text(std::string_view content) {
-    return read(folder_.write("x.toml", content).string());
-  }
+  PotentialFile read_text(std::string_view content) { return read(folder_.write("x.toml", content).string()); }
 
   std::string without(std::string_view key) const {
     std::string text = description;
@@ -82,8 +80,7 @@ TEST_F(PotentialFileTest, APathToParametersIsSeenFromTheDescription) {
 }
 
 TEST_F(PotentialFileTest, WithoutParameterFile) {
-  const PotentialFile kim =
-      read_text("pair_style = \"kim X\"\npair_coeff = [\"* * C\"]\ninteraction_range = 8\n");
+  const PotentialFile kim = read_text("pair_style = \"kim X\"\npair_coeff = [\"* * C\"]\ninteraction_range = 8\n");
   EXPECT_TRUE(kim.potential.file.empty());
   EXPECT_TRUE(kim.sha256.empty());
 }
@@ -105,7 +102,8 @@ TEST_F(PotentialFileTest, OpenKimModelsAreLookedFor) {
                  {"x.toml:3: model", "not installed", "mean 'Mine__MO_000000000000_000'?"});
   expect_refusal([&] { read_text("pair_style = \"rebo\"\n" + start + "\"Mine__MO_000000000000_000\"\n"); },
                  {"x.toml", "[kim] model takes the place of pair_style"});
-  expect_refusal([&] { read_text("[kim]\nmodel = \"Mine__MO_000000000000_000\"\n"); }, {"'interaction_range' is missing"});
+  expect_refusal([&] { read_text("[kim]\nmodel = \"Mine__MO_000000000000_000\"\n"); },
+                 {"'interaction_range' is missing"});
 }
 
 TEST_F(PotentialFileTest, NamesMayHaveAFolder) {
@@ -117,7 +115,8 @@ TEST_F(PotentialFileTest, NamesMayHaveAFolder) {
 /// AIREBO's and REBO's files look alike; LAMMPS takes either and computes nonsense.
 TEST_F(PotentialFileTest, RebosFileIsNotAirebos) {
   const auto text = [](const char* style) {
-    return fmt::format("pair_style = \"{}\"\npair_coeff = [\"* * {{file}} C\"]\nfile = \"my.CH\"\ninteraction_range = 5\n", style);
+    return fmt::format(
+        "pair_style = \"{}\"\npair_coeff = [\"* * {{file}} C\"]\nfile = \"my.CH\"\ninteraction_range = 5\n", style);
   };
   folder_.write("my.CH", "# AIREBO Brenner/Stuart potential\n1.7 rcmin_CC\n");
   expect_refusal([&] { read_text(text("rebo")); }, {"x.toml:3: file", "my.CH", "of AIREBO, not of 'rebo'"});
@@ -141,10 +140,9 @@ TEST_F(PotentialFileTest, UnknownName) {
   folder_.write("potentials/rebo.toml", description);
   folder_.write("potentials/airebo.toml", description);
   folder_.write("potentials/notes.txt", "");
-  EXPECT_EQ(available_potentials(folder_.path() / "potentials"),
-            (std::vector<std::string>{"airebo", "rebo"}));
-  expect_refusal([&] { read("aireb"); }, {"--potential", "'aireb'", "available: airebo, rebo", "TOML file",
-                                          "did you mean 'airebo'?"});
+  EXPECT_EQ(available_potentials(folder_.path() / "potentials"), (std::vector<std::string>{"airebo", "rebo"}));
+  expect_refusal([&] { read("aireb"); },
+                 {"--potential", "'aireb'", "available: airebo, rebo", "TOML file", "did you mean 'airebo'?"});
   expect_refusal([&] { read("no/such.toml"); }, {"--potential", "there is no file", "no/such.toml"});
 }
 
@@ -169,8 +167,7 @@ TEST_F(PotentialFileTest, BadParameterFiles) {
 TEST_F(PotentialFileTest, UnreadableParameterFile) {
   std::string text = description;
   text.replace(text.find("my.tersoff"), 10, "/proc/self/mem");  // exists, and reading it fails even for root
-  expect_refusal([&] { read_text(text); }, {"x.toml:5: file", "cannot read '/proc/self/mem'"},
-                 ExitCode::file_failed);
+  expect_refusal([&] { read_text(text); }, {"x.toml:5: file", "cannot read '/proc/self/mem'"}, ExitCode::file_failed);
 }
 
 TEST_F(PotentialFileTest, MissingKeys) {
@@ -186,8 +183,7 @@ TEST_F(PotentialFileTest, MissingKeys) {
 TEST_F(PotentialFileTest, BadKeys) {
   folder_.write("my.tersoff", parameters);
   const std::string text = description;
-  expect_refusal([&] { read_text(text + "pair_styl = 3\n"); },
-                 {"x.toml:10", "'pair_styl'", "mean 'pair_style'?"});
+  expect_refusal([&] { read_text(text + "pair_styl = 3\n"); }, {"x.toml:10", "'pair_styl'", "mean 'pair_style'?"});
   expect_refusal([&] { read_text(text + "mass = -1\n"); }, {"x.toml:10: mass", "> 0"});
   expect_refusal([&] { read_text(text + "[table]\n"); }, {"x.toml:10", "unknown table [table]", "[kim]"});
   expect_refusal([&] { read_text(without("pair_coeff") + "pair_coeff = [\"* * C\"]\n"); },

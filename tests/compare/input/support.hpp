@@ -78,8 +78,7 @@ void expect_refusal(Action&& action, const std::vector<std::string>& words,
     }
     return;
   }
-  ADD_FAILURE() << "nothing was refused; expected a message with '" << (words.empty() ? "" : words.front())
-                << "'";
+  ADD_FAILURE() << "nothing was refused; expected a message with '" << (words.empty() ? "" : words.front()) << "'";
 }
 
 }  // namespace compare_tests

@@ -101,13 +101,11 @@ TEST(Units, UnitOfAnotherQuantityIsRefused) {
 
 TEST(Units, WhatIsNotANumberIsRefused) {
   for (const char* text : {"", " ", "nm", "ten", "--5", "- 5", "x5"}) {
-    expect_refusal([&] { parse_quantity(text, unit::length, "--radius"); },
-                   {"--radius", "not a length", "nm"});
+    expect_refusal([&] { parse_quantity(text, unit::length, "--radius"); }, {"--radius", "not a length", "nm"});
   }
   expect_refusal([] { parse_quantity("ten", unit::none, "--nu"); }, {"--nu", "'ten'", "expected a number"});
   expect_refusal([] { parse_quantity("1,5 nm", unit::length, "--radius"); }, {"unknown unit ',5 nm'"});
-  expect_refusal([] { parse_quantity("1e999", unit::length, "--radius"); },
-                 {"--radius", "1e999", "too large"});
+  expect_refusal([] { parse_quantity("1e999", unit::length, "--radius"); }, {"--radius", "1e999", "too large"});
 }
 
 TEST(Units, RangesRefuseNanAndInfinity) {
@@ -130,8 +128,6 @@ TEST(Units, RangesHaveOpenAndClosedEnds) {
   expect_refusal([&] { in_range(closed, 1.01, "--x"); }, {">= 0 and <= 1"});
 }
 
-TEST(Units, ABaseUnitThatIsNeverReadIsAProgrammingError) {
-  EXPECT_THROW(quantity_of(unit::second), std::logic_error);
-}
+TEST(Units, ABaseUnitThatIsNeverReadIsAProgrammingError) { EXPECT_THROW(quantity_of(unit::second), std::logic_error); }
 
 }  // namespace

@@ -144,8 +144,7 @@ TEST(Agreement, AMembraneThatDoesNotCoverTheDepthsGivesNoVerdict) {
   result.runs[1].converged.assign(15, false);
   EXPECT_NE(reason_for(result).find("make no curve"), std::string::npos);
   for (const int i : {0, 1, 2, 3, 4, 5, 6}) result.runs[1].converged[i] = true;
-  EXPECT_EQ(reason_for(result),
-            "the membrane's curve covers depths from 1.00 to 13.00 Å, not the atoms' 15.00 Å");
+  EXPECT_EQ(reason_for(result), "the membrane's curve covers depths from 1.00 to 13.00 Å, not the atoms' 15.00 Å");
   result.runs[1].constants = Constants::paper;  // not like for like
   EXPECT_EQ(reason_for(result), "there is no membrane (card constants) run of the disc load");
 }
@@ -153,7 +152,7 @@ TEST(Agreement, AMembraneThatDoesNotCoverTheDepthsGivesNoVerdict) {
 TEST(Agreement, TheSheetsWindowEndsWhereTheBondIsTooLong) {
   // Below 0.03 and from 1.65 Å on nothing is judged.
   validate::Run run = with_bonds(atoms({2, 3, 10, 20, 22, 24}, {2, 1.004, 0.995, 1.002, 1.003, 2}),
-                                {1.40, 1.41, 1.45, 1.55, 1.60, 1.70});
+                                 {1.40, 1.41, 1.45, 1.55, 1.60, 1.70});
   run.ended = Ended::artefact;
   run.artefact.back() = true;
   Result result = result_with_sheet(run);
@@ -232,9 +231,10 @@ TEST(Comparison, GivesRatiosAndRegimesPerDepth) {
     EXPECT_NEAR(c.depth_ratio[i], 1 / std::cbrt(ratio), 1e-9);  // F ∝ d³
     EXPECT_NEAR(c.depth_relative[i], c.depth_A[i] / 100, 1e-12);
   }
-  EXPECT_EQ(c.regime, (std::vector{Regime::bending, Regime::bending, Regime::membrane, Regime::softening, Regime::artefact}));
-  EXPECT_NEAR(c.bending_to_A, 12, 1e-6);       // 1.10 → 1.00 passes 1.06 at 2/5 of the way
-  EXPECT_NEAR(c.softening_from_A, 18, 1e-6);   // 1.00 → 0.90 passes 0.94 at 3/5
+  EXPECT_EQ(c.regime,
+            (std::vector{Regime::bending, Regime::bending, Regime::membrane, Regime::softening, Regime::artefact}));
+  EXPECT_NEAR(c.bending_to_A, 12, 1e-6);      // 1.10 → 1.00 passes 1.06 at 2/5 of the way
+  EXPECT_NEAR(c.softening_from_A, 18, 1e-6);  // 1.00 → 0.90 passes 0.94 at 3/5
   EXPECT_EQ(c.artefact_from_A, 25);
 }
 

@@ -1,5 +1,3 @@
-#include "compare/potential/law/calibrated_law.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -7,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "compare/potential/law/calibrated_law.hpp"
 #include "compare/potential/law/linear_fit.hpp"
 #include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
@@ -25,8 +24,8 @@ atomistic::Card card() {
   return c;
 }
 
-/// What a lattice would answer whose energy is ¼ (C11 + C12) I² + (C11 − C12) q² + c3 I³ + c q³ − d I² q², written out by
-/// hand, with a bond along the larger strain.
+/// What a lattice would answer whose energy is ¼ (C11 + C12) I² + (C11 − C12) q² + c3 I³ + c q³ − d I² q², written out
+/// by hand, with a bond along the larger strain.
 atomistic::HomogeneousState answer(const atomistic::StrainState& strain) {
   const double I = strain.E11 + strain.E22, q = (strain.E11 - strain.E22) / 2;
   const double W_I = 0.5 * 25 * I - 3 * 4 * I * I - 2 * 40 * I * q * q;

@@ -22,7 +22,8 @@ validate::Run cubic(double stiffness, const std::vector<double>& depths) {
 
 TEST(Explanation, SharesAddUpToTheWholeDifference) {
   const std::vector<double> grid = {1, 4, 9, 16, 25};
-  const validate::Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid), law = cubic(1.1, grid);
+  const validate::Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid),
+                      law = cubic(1.1, grid);
   validate::Run atoms = cubic(1.15, {2, 8, 20, 30});
   atoms.artefact = {false, false, true, false};
   const auto found = explain(atoms, {&plain, &paired, &bending, &law}, {{2, 4, 20}, {1.01, 1.02, 1.06}});

@@ -25,8 +25,8 @@ TEST(Extxyz, HasTheKeysThatReadersLookFor) {
   std::getline(lines, comment);
   EXPECT_EQ(count, "2");
   for (const char* part : {"Lattice=\"15.5 0 0 0 13.25 0 0 0 13\"", "Origin=\"-6.5 -3 -8\"",
-                           "Properties=species:S:1:pos:R:3:forces:R:3:longest_bond:R:1:clamped:I:1",
-                           "pbc=\"F F F\"", "depth_A=12.107", "force_eV_per_A=4 ", "potential=\"airebo\""}) {
+                           "Properties=species:S:1:pos:R:3:forces:R:3:longest_bond:R:1:clamped:I:1", "pbc=\"F F F\"",
+                           "depth_A=12.107", "force_eV_per_A=4 ", "potential=\"airebo\""}) {
     EXPECT_NE(comment.find(part), std::string::npos) << part << "\nin " << comment;
   }
 }

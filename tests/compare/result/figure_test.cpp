@@ -22,9 +22,7 @@ namespace {
 // PATH for the length of a test.
 class SearchPath {
  public:
-  explicit SearchPath(const std::string& value) : old_(::getenv("PATH")) {
-    ::setenv("PATH", value.c_str(), 1);
-  }
+  explicit SearchPath(const std::string& value) : old_(::getenv("PATH")) { ::setenv("PATH", value.c_str(), 1); }
   ~SearchPath() { ::setenv("PATH", old_.c_str(), 1); }
   SearchPath(const SearchPath&) = delete;
   SearchPath& operator=(const SearchPath&) = delete;
@@ -46,10 +44,9 @@ std::array<unsigned, 2> png_size(const std::string& png) {
 // Smallest red value in a rectangle of the picture, rows counted from the top; gnuplot reads its own PNG.
 int darkest(const TemporaryFolder& folder, int left, int top, int right, int bottom) {
   const std::string table = (folder / "pixels").string();
-  std::ofstream(folder / "pixels.gnuplot")
-      << "set table '" << table << "'\nplot '" << (folder / "figure.png").string()
-      << "' binary filetype=png every 1:1:" << left << ':' << top << ':' << right << ':' << bottom
-      << " with rgbimage\n";
+  std::ofstream(folder / "pixels.gnuplot") << "set table '" << table << "'\nplot '" << (folder / "figure.png").string()
+                                           << "' binary filetype=png every 1:1:" << left << ':' << top << ':' << right
+                                           << ':' << bottom << " with rgbimage\n";
   const auto report = run_gnuplot(folder / "pixels.gnuplot");
   if (!report || !report->succeeded) return -1;
   int smallest = 256;
@@ -70,9 +67,8 @@ TEST(Figure, DrawsBothFilesAndNothingElse) {
   const std::string png = folder.read("figure.png"), svg = folder.read("figure.svg");
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(png_size(png), (std::array{1800u, 1280u}));
-  for (const char* text :
-       {"<svg", "force (eV/Å)", "depth (Å)", "airebo, R = 110 Å", "atoms, disc",
-        "membrane, point, paper constants", "Eq. 16, card constants", "artefact zone, point"}) {
+  for (const char* text : {"<svg", "force (eV/Å)", "depth (Å)", "airebo, R = 110 Å", "atoms, disc",
+                           "membrane, point, paper constants", "Eq. 16, card constants", "artefact zone, point"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
 }

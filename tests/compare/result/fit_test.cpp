@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "compare/base/units.hpp"
 #include "compare/fitting/models/eq16.hpp"
 #include "compare/fitting/run_fit.hpp"
-#include "compare/base/units.hpp"
 #include "tests/compare/result/sample_result.hpp"
 
 using namespace validate;
@@ -74,8 +74,7 @@ TEST_P(LeastSquares, AgreesWithTheNormalEquations) {
     EXPECT_NEAR(report.parameters[i] / solution[i], 1, 1e-9);
     EXPECT_NEAR(report.standard_errors[i] / std::sqrt(covariance(i, i)), 1, 1e-9);
   }
-  EXPECT_NEAR(report.correlation(0, 1), covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1)),
-              1e-9);
+  EXPECT_NEAR(report.correlation(0, 1), covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1)), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Weights, LeastSquares, testing::Bool());
@@ -197,8 +196,7 @@ TEST(FitRun, UnderFourPointsThereIsAReasonInstead) {
   for (const int i : {0, 1, 2}) run.artefact[i] = false;
   fit_run(run);
   EXPECT_FALSE(run.fit);
-  EXPECT_EQ(run.fit_skipped,
-            "3 usable points of 12 (9 in the artefact zone, 0 not converged); a fit needs 4");
+  EXPECT_EQ(run.fit_skipped, "3 usable points of 12 (9 in the artefact zone, 0 not converged); a fit needs 4");
   run.artefact[3] = false;
   fit_run(run);
   EXPECT_TRUE(run.fit);

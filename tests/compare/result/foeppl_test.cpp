@@ -46,9 +46,8 @@ TEST(Foeppl, PretensionAtFirstOrder) {
 TEST(Foeppl, PretensionAloneIsLaplaces) {
   for (const double tip : {0.01, 0.1}) {
     const double pretension = 1, force = 1e-4;  // depth² far below the pretension
-    EXPECT_NEAR(
-        force / depth_under({0.165, tip, 0}, force, pretension) / (2 * pi / (std::log(1 / tip) + 0.5)), 1,
-        1e-6);
+    EXPECT_NEAR(force / depth_under({0.165, tip, 0}, force, pretension) / (2 * pi / (std::log(1 / tip) + 0.5)), 1,
+                1e-6);
   }
 }
 
@@ -73,8 +72,7 @@ TEST(Foeppl, BendingFadesAway) {
 }
 
 TEST(Foeppl, DepthConvergesWithTheSquareOfTheSpacing) {
-  for (const FoepplDisc& disc :
-       {FoepplDisc{0.19, 0.1, 0}, FoepplDisc{0.19, 0, 0}, FoepplDisc{0.19, 0.1, 1e-4}}) {
+  for (const FoepplDisc& disc : {FoepplDisc{0.19, 0.1, 0}, FoepplDisc{0.19, 0, 0}, FoepplDisc{0.19, 0.1, 1e-4}}) {
     const double exact = depth_under(disc, 0.02, 0.001);
     const double coarse = solve(disc, 0.02, 0.001, 100).depth - exact,
                  fine = solve(disc, 0.02, 0.001, 200).depth - exact;
@@ -95,8 +93,7 @@ TEST_P(Table, HoldsWhatTheEquationsGive) {
   const double tip = GetParam(), nu = 0.165;
   const FoepplCurve curve(nu, tip);
   for (const double eta : {0.0, 1e-3, 0.02, 0.3, 1.7, 25.0, 700.0}) {
-    const double depth = 0.05,
-                 direct = force_at({nu, tip, 0}, depth, eta * depth * depth) / std::pow(depth, 3);
+    const double depth = 0.05, direct = force_at({nu, tip, 0}, depth, eta * depth * depth) / std::pow(depth, 3);
     EXPECT_NEAR(curve.g(eta) / direct, 1, 1e-5) << eta;
     if (eta == 0) continue;
     const double h = 1e-4 * eta;

@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "compare/base/errors.hpp"
-#include "compare/fitting/fit_warnings.hpp"
-#include "compare/input/measured_curve.hpp"
-#include "compare/fitting/measured_fit.hpp"
 #include "compare/base/units.hpp"
+#include "compare/fitting/fit_warnings.hpp"
+#include "compare/fitting/measured_fit.hpp"
+#include "compare/input/measured_curve.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
 
 using namespace validate;
@@ -32,9 +32,7 @@ class Measured : public testing::Test {
     }
     return "accepted";
   }
-  void write_to(const std::string& name, const std::string& content) const {
-    std::ofstream(folder_ / name) << content;
-  }
+  void write_to(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
   TemporaryFolder folder_;
 };
 
@@ -149,8 +147,7 @@ TEST(MeasuredFit, RefusesWhatCannotBeFitted) {
 }
 
 bool says(const std::vector<std::string>& warnings, const std::string& words) {
-  return std::ranges::any_of(warnings,
-                             [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  return std::ranges::any_of(warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 Fit good_fit() {

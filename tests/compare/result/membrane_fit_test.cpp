@@ -7,10 +7,10 @@
 #include <random>
 #include <variant>
 
+#include "compare/base/units.hpp"
 #include "compare/fitting/models/eq16.hpp"
 #include "compare/fitting/models/list.hpp"
 #include "compare/fitting/run_fit.hpp"
-#include "compare/base/units.hpp"
 
 using namespace validate;
 
@@ -38,8 +38,7 @@ class Drum : public testing::TestWithParam<Synthetic> {};
 TEST_P(Drum, GivesBackItsConstants) {
   const Synthetic& asked = GetParam();
   const MembraneTip tip{5000, 0.165, asked.tip_A, 0, asked.sphere};
-  const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2,
-               pretension = asked.pretension_N_per_m / N_per_m_per_eV_per_A2;
+  const double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = asked.pretension_N_per_m / N_per_m_per_eV_per_A2;
   const auto d = depths();
   const auto force = membrane_forces(tip, Eh, pretension, d);
 
@@ -99,8 +98,7 @@ TEST(MembraneFit, NoiseWidensTheErrorsNotTheTruth) {
   const MembraneFitReport direct = fit_membrane(tip, d, force, {});
   ASSERT_TRUE(direct.converged) << direct.reason;
   EXPECT_LT(std::abs(direct.fit.Eh_eV_per_A2 - Eh), 4 * direct.fit.Eh_stderr_eV_per_A2);
-  EXPECT_LT(std::abs(direct.fit.pretension_eV_per_A2 - pretension),
-            4 * direct.fit.pretension_stderr_eV_per_A2);
+  EXPECT_LT(std::abs(direct.fit.pretension_eV_per_A2 - pretension), 4 * direct.fit.pretension_stderr_eV_per_A2);
   EXPECT_GT(direct.fit.Eh_stderr_eV_per_A2, 1e-4 * Eh);
 }
 

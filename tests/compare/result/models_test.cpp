@@ -52,12 +52,11 @@ TEST_P(Models, SayWhatTheyAre) {
   EXPECT_EQ(&closed_form(form().name, "--model"), &form());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Models, testing::Range<std::size_t>(0, closed_forms().size()),
-                         [](const auto& test) {
-                           std::string name(closed_forms()[test.param].name);
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, Models, testing::Range<std::size_t>(0, closed_forms().size()), [](const auto& test) {
+  std::string name(closed_forms()[test.param].name);
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
 
 double value(const char* name, double depth, double Eh, double pretension) {
   const double parameters[] = {Eh, pretension};

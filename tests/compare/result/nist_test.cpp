@@ -31,12 +31,8 @@ AnyCurveModel misra1a() {
 
 /// (b1 + b2 x + b3 x² + b4 x³) / (1 + b5 x + b6 x² + b7 x³): Hahn1 and Thurber
 AnyCurveModel cubic_over_cubic() {
-  const auto above = [](double x, std::span<const double> b) {
-    return b[0] + x * (b[1] + x * (b[2] + x * b[3]));
-  };
-  const auto below = [](double x, std::span<const double> b) {
-    return 1 + x * (b[4] + x * (b[5] + x * b[6]));
-  };
+  const auto above = [](double x, std::span<const double> b) { return b[0] + x * (b[1] + x * (b[2] + x * b[3])); };
+  const auto below = [](double x, std::span<const double> b) { return 1 + x * (b[4] + x * (b[5] + x * b[6])); };
   return {7, [=](double x, std::span<const double> b) { return above(x, b) / below(x, b); },
           [=](double x, std::span<const double> b, std::span<double> g) {
             const double v = below(x, b), u = above(x, b);
@@ -47,16 +43,14 @@ AnyCurveModel cubic_over_cubic() {
 
 /// b1 (x² + x b2) / (x² + x b3 + b4)
 AnyCurveModel mgh09() {
-  return {
-      4,
-      [](double x, std::span<const double> b) { return b[0] * x * (x + b[1]) / (x * x + x * b[2] + b[3]); },
-      [](double x, std::span<const double> b, std::span<double> g) {
-        const double u = x * (x + b[1]), v = x * x + x * b[2] + b[3];
-        g[0] = u / v;
-        g[1] = b[0] * x / v;
-        g[2] = -b[0] * u * x / (v * v);
-        g[3] = -b[0] * u / (v * v);
-      }};
+  return {4, [](double x, std::span<const double> b) { return b[0] * x * (x + b[1]) / (x * x + x * b[2] + b[3]); },
+          [](double x, std::span<const double> b, std::span<double> g) {
+            const double u = x * (x + b[1]), v = x * x + x * b[2] + b[3];
+            g[0] = u / v;
+            g[1] = b[0] * x / v;
+            g[2] = -b[0] * u * x / (v * v);
+            g[3] = -b[0] * u / (v * v);
+          }};
 }
 
 const std::vector<Problem>& problems() {
@@ -70,10 +64,10 @@ const std::vector<Problem>& problems() {
       {"hahn1",
        cubic_over_cubic(),
        {{10, -1, 0.05, -1e-5, -0.05, 1e-3, -1e-6}, {1, -0.1, 0.005, -1e-6, -0.005, 1e-4, -1e-7}},
-       {1.0776351733e+00, -1.2269296921e-01, 4.0863750610e-03, -1.4262662514e-06, -5.7609940901e-03,
-        2.4053735503e-04, -1.2314450199e-07},
-       {1.7070154742e-01, 1.2000289189e-02, 2.2508314937e-04, 2.7578037666e-07, 2.4712888219e-04,
-        1.0449373768e-05, 1.3027335327e-08},
+       {1.0776351733e+00, -1.2269296921e-01, 4.0863750610e-03, -1.4262662514e-06, -5.7609940901e-03, 2.4053735503e-04,
+        -1.2314450199e-07},
+       {1.7070154742e-01, 1.2000289189e-02, 2.2508314937e-04, 2.7578037666e-07, 2.4712888219e-04, 1.0449373768e-05,
+        1.3027335327e-08},
        8.1803852243e-02},
       {"mgh09",
        mgh09(),
@@ -84,10 +78,10 @@ const std::vector<Problem>& problems() {
       {"thurber",
        cubic_over_cubic(),
        {{1000, 1000, 400, 40, 0.7, 0.3, 0.03}, {1300, 1500, 500, 75, 1, 0.4, 0.05}},
-       {1.2881396800e+03, 1.4910792535e+03, 5.8323836877e+02, 7.5416644291e+01, 9.6629502864e-01,
-        3.9797285797e-01, 4.9727297349e-02},
-       {4.6647963344e+00, 3.9571156086e+01, 2.8698696102e+01, 5.5675370270e+00, 3.1333340687e-02,
-        1.4984928198e-02, 6.5842344623e-03},
+       {1.2881396800e+03, 1.4910792535e+03, 5.8323836877e+02, 7.5416644291e+01, 9.6629502864e-01, 3.9797285797e-01,
+        4.9727297349e-02},
+       {4.6647963344e+00, 3.9571156086e+01, 2.8698696102e+01, 5.5675370270e+00, 3.1333340687e-02, 1.4984928198e-02,
+        6.5842344623e-03},
        1.3714600784e+01}};
   return all;
 }
@@ -118,7 +112,7 @@ TEST_P(Nist, ReachesTheCertifiedValues) {
   ASSERT_GT(data.x.size(), 10u);
   const auto report =
       validate::least_squares(problem.model, data.x, data.y, problem.starts[start],
-                             {.weights = {}, .geodesic_acceleration = geodesic, .max_iterations = 1000});
+                              {.weights = {}, .geodesic_acceleration = geodesic, .max_iterations = 1000});
   ASSERT_TRUE(report.converged) << report.reason;
   for (std::size_t i = 0; i < problem.certified.size(); ++i) {
     EXPECT_NEAR(report.parameters[i] / problem.certified[i], 1, digits) << i;
@@ -127,11 +121,10 @@ TEST_P(Nist, ReachesTheCertifiedValues) {
   EXPECT_NEAR(report.residual_sd / problem.residual_sd, 1, digits);
 }
 
-INSTANTIATE_TEST_SUITE_P(Problems, Nist,
-                         testing::Combine(testing::Range(0, 4), testing::Range(0, 2), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(Problems, Nist, testing::Combine(testing::Range(0, 4), testing::Range(0, 2), testing::Bool()),
                          [](const auto& test) {
-                           return problems()[static_cast<std::size_t>(std::get<0>(test.param))].name +
-                                  "_start" + std::to_string(std::get<1>(test.param) + 1) +
+                           return problems()[static_cast<std::size_t>(std::get<0>(test.param))].name + "_start" +
+                                  std::to_string(std::get<1>(test.param) + 1) +
                                   (std::get<2>(test.param) ? "_geodesic" : "");
                          });
 

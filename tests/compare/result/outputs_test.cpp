@@ -11,8 +11,8 @@ using namespace validate;
 TEST(Outputs, WritesEveryDocument) {
   const TemporaryFolder folder;
   write_all(sample::full(), folder.path());
-  for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg",
-                           "window_scan.png"}) {
+  for (const char* name :
+       {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg", "window_scan.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
   EXPECT_EQ(folder.entries(), 7u);
@@ -28,8 +28,8 @@ TEST(Outputs, OneThatFailsDoesNotStopTheOthers) {
     EXPECT_EQ(error.exit_code(), ExitCode::file_failed);
     EXPECT_NE(std::string(error.what()).find("run.h5"), std::string::npos);
   }
-  for (const char* name : {"curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg",
-                           "window_scan.png"}) {
+  for (const char* name :
+       {"curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg", "window_scan.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
   EXPECT_EQ(folder.entries(), 7u);

@@ -6,9 +6,9 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/documents/bytes/html.hpp"
-#include "compare/documents/texts/report_html.hpp"
 #include "compare/documents/run_h5.hpp"
 #include "compare/documents/run_h5_read.hpp"
+#include "compare/documents/texts/report_html.hpp"
 #include "compare/documents/texts/summary_json.hpp"
 #include "tests/compare/result/sample_result.hpp"
 #include "tests/compare/result/temporary_folder.hpp"
@@ -60,9 +60,7 @@ TEST(RunH5Read, RefusesWhatIsNoRun) {
   EXPECT_NE(refusal(folder / "cut.h5"), "accepted");
 }
 
-TEST(Html, EscapesMarkup) {
-  EXPECT_EQ(html::escaped("<a href=\"x\">&"), "&lt;a href=&quot;x&quot;&gt;&amp;");
-}
+TEST(Html, EscapesMarkup) { EXPECT_EQ(html::escaped("<a href=\"x\">&"), "&lt;a href=&quot;x&quot;&gt;&amp;"); }
 
 TEST(Html, GivesEachDrawingItsOwnIds) {
   const std::string svg = html::inline_svg(
@@ -75,8 +73,12 @@ TEST(Html, GivesEachDrawingItsOwnIds) {
 }
 
 TEST(Html, WritesPicturesInBase64) {  // test vectors of RFC 4648
-  for (const auto& [bytes, expected] : {std::pair{"", "base64,\""}, {"f", "base64,Zg==\""}, {"fo", "base64,Zm8=\""}, {"foo", "base64,Zm9v\""},
-                                        {"foob", "base64,Zm9vYg==\""}, {"foobar", "base64,Zm9vYmFy\""}})
+  for (const auto& [bytes, expected] : {std::pair{"", "base64,\""},
+                                        {"f", "base64,Zg==\""},
+                                        {"fo", "base64,Zm8=\""},
+                                        {"foo", "base64,Zm9v\""},
+                                        {"foob", "base64,Zm9vYg==\""},
+                                        {"foobar", "base64,Zm9vYmFy\""}})
     EXPECT_NE(html::inline_png(bytes, "").find(expected), std::string::npos) << bytes;
 }
 
@@ -87,9 +89,10 @@ TEST(Report, SaysWhatWasFound) {
   EXPECT_EQ(folder.entries(), 1u) << "nothing but the page";
   const std::string page = folder.read("report.html");
   for (const char* words :
-       {"<b>Agreement</b>", "atoms, disc", "membrane, point, paper constants", "sheet, disc, calibrated law", "What a plain membrane lacks",
-        "Where continuum and atoms part", "its bias", "How far to trust the fits", "17244 atoms", "SHA-256",
-        "validate indentation --radius 110", "viewport", "@media print", "<svg", "data:image/png;base64,iVBOR"})
+       {"<b>Agreement</b>", "atoms, disc", "membrane, point, paper constants", "sheet, disc, calibrated law",
+        "What a plain membrane lacks", "Where continuum and atoms part", "its bias", "How far to trust the fits",
+        "17244 atoms", "SHA-256", "validate indentation --radius 110", "viewport", "@media print", "<svg",
+        "data:image/png;base64,iVBOR"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
   Result failing = result;
   failing.agreement->passed = false;

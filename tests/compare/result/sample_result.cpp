@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "compare/verdict/agreement.hpp"
-#include "compare/verdict/explanation.hpp"
 #include "compare/fitting/fit.hpp"
 #include "compare/fitting/run_fit.hpp"
+#include "compare/verdict/agreement.hpp"
+#include "compare/verdict/explanation.hpp"
 
 namespace sample {
 
@@ -17,9 +17,7 @@ constexpr double artefact_bond_A = 1.70;
 constexpr double a_A = 111.048, airebo_Eh = 17.33, airebo_nu = 0.3645;
 constexpr double paper_Eh = 5.864 * 1.37;
 
-double cubic(double stiffness, double Eh, double depth) {
-  return stiffness * Eh * std::pow(depth, 3) / (a_A * a_A);
-}
+double cubic(double stiffness, double Eh, double depth) { return stiffness * Eh * std::pow(depth, 3) / (a_A * a_A); }
 
 CardSummary airebo_card() {
   CardSummary card;
@@ -159,9 +157,12 @@ Result full() {
     result.runs.push_back(calibrated_run(Model::membrane, load, 0.95 * stiffness, load == "disc" ? 0.0094 : 0.0143));
     result.runs.push_back(calibrated_run(Model::sheet, load, stiffness, load == "disc" ? 0.0096 : 0.0146));
   }
-  const Run plain_point = membrane_run("point", Constants::card, 1.12), plain_disc = membrane_run("disc", Constants::card, 1.5);
-  result.explanations = {*explain(result.runs[0], {&plain_point, &result.runs[2], &result.runs[6], &result.runs[7]}, {{5, 20}, {1.001, 1.002}}),
-                         *explain(result.runs[1], {&plain_disc, &result.runs[3], &result.runs[8], &result.runs[9]}, {{5, 20}, {0.999, 0.998}})};
+  const Run plain_point = membrane_run("point", Constants::card, 1.12),
+            plain_disc = membrane_run("disc", Constants::card, 1.5);
+  result.explanations = {*explain(result.runs[0], {&plain_point, &result.runs[2], &result.runs[6], &result.runs[7]},
+                                  {{5, 20}, {1.001, 1.002}}),
+                         *explain(result.runs[1], {&plain_disc, &result.runs[3], &result.runs[8], &result.runs[9]},
+                                  {{5, 20}, {0.999, 0.998}})};
   add_biases(result);
   judge(result);
   compare_curves(result);

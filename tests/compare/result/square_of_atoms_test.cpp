@@ -24,7 +24,8 @@ atomistic::Step stressed(const atomistic::Sheet& sheet, const Eigen::Vector2d& p
   step.positions.resize(sheet.positions.size());
   step.virials.resize(2 * sheet.positions.size());
   const double area = stretch * 0.75 * std::numbers::sqrt3 * sheet.bond_A * sheet.bond_A;
-  const Eigen::Matrix3d force = turn * Eigen::Vector3d(principal[0], principal[1], 0).asDiagonal() * turn.transpose() * area;
+  const Eigen::Matrix3d force =
+      turn * Eigen::Vector3d(principal[0], principal[1], 0).asDiagonal() * turn.transpose() * area;
   for (int i = 0; i < sheet.atoms(); ++i) {
     Eigen::Vector3d x = sheet.position(i);
     x.x() *= stretch;

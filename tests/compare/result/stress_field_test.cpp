@@ -23,8 +23,7 @@ membrane::Problem disc() {
 /// u = G X on every node.
 Eigen::VectorXd displaced(const membrane::Mesh& mesh, const Eigen::Matrix<double, 3, 2>& G) {
   Eigen::VectorXd u(3 * mesh.node_count());
-  for (int n = 0; n < mesh.node_count(); ++n)
-    u.segment<3>(3 * n) = G * mesh.nodes[static_cast<std::size_t>(n)];
+  for (int n = 0; n < mesh.node_count(); ++n) u.segment<3>(3 * n) = G * mesh.nodes[static_cast<std::size_t>(n)];
   return u;
 }
 
@@ -55,8 +54,7 @@ TEST(StressField, AWrinkledStripPullsAlongItsAxisOnly) {
   const double stretch = 1.05, squeeze = 0.8, angle = std::acos(-1.0) / 6;
   const Eigen::Vector2d m(std::cos(angle), std::sin(angle)), across(-m[1], m[0]);
   Eigen::Matrix<double, 3, 2> G = Eigen::Matrix<double, 3, 2>::Zero();
-  G.topRows<2>() =
-      stretch * m * m.transpose() + squeeze * across * across.transpose() - Eigen::Matrix2d::Identity();
+  G.topRows<2>() = stretch * m * m.transpose() + squeeze * across * across.transpose() - Eigen::Matrix2d::Identity();
   const double S = 8 * (stretch * stretch - 1) / 2;
   const double width2 = 1 - 0.25 * (stretch * stretch - 1);  // λ2² = λ3² = 1 − ν(λ1² − 1)
   for (const TriangleStress& t : field(G)) {

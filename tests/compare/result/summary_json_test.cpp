@@ -87,8 +87,7 @@ TEST(SummaryJson, WhatFailedIsNull) {
   EXPECT_TRUE(doc["provenance"]["lammps"].is_null());
   EXPECT_FALSE(doc["agreement_skipped"].get<std::string>().empty());
   const json& atoms = doc["runs"][0];
-  for (const char* key : {"fit", "ended", "Eh_eV_per_A2", "Eh_N_per_m", "nu"})
-    EXPECT_TRUE(atoms[key].is_null()) << key;
+  for (const char* key : {"fit", "ended", "Eh_eV_per_A2", "Eh_N_per_m", "nu"}) EXPECT_TRUE(atoms[key].is_null()) << key;
   EXPECT_FALSE(atoms["fit_skipped"].get<std::string>().empty());
 
   Result infinite = sample::full();
@@ -114,36 +113,36 @@ TEST_P(SummarySchema, RejectsACorruptedDocument) {
 
 INSTANTIATE_TEST_SUITE_P(
     Corruptions, SummarySchema,
-    testing::Values(
-        Corruption{"wrong_schema_number", [](json& d) { d["schema"] = 2; }},
-        Corruption{"no_runs", [](json& d) { d.erase("runs"); }},
-        Corruption{"unknown_key", [](json& d) { d["extra"] = 1; }},
-        Corruption{"unknown_key_in_case", [](json& d) { d["case"]["extra"] = 1; }},
-        Corruption{"negative_radius", [](json& d) { d["case"]["radius_A"] = -1; }},
-        Corruption{"no_atoms", [](json& d) { d["sheet"]["atoms"] = 0; }},
-        Corruption{"card_without_twin", [](json& d) { d["card"].erase("Eh_N_per_m"); }},
-        Corruption{"text_for_number", [](json& d) { d["card"]["nu"] = "0.36"; }},
-        Corruption{"unknown_model", [](json& d) { d["runs"][0]["model"] = "plate"; }},
-        Corruption{"unknown_load", [](json& d) { d["runs"][0]["load"] = "needle"; }},
-        Corruption{"unknown_end", [](json& d) { d["runs"][0]["ended"] = "tired"; }},
-        Corruption{"constants_of_atoms", [](json& d) { d["runs"][0]["constants"] = "none"; }},
-        Corruption{"membrane_without_constants", [](json& d) { d["runs"][2].erase("constants"); }},
-        Corruption{"atoms_without_bonds", [](json& d) { d["runs"][0].erase("longest_bond_A"); }},
-        Corruption{"membrane_with_bonds", [](json& d) { d["runs"][2]["longest_bond_A"] = json::array(); }},
-        Corruption{"sheet_without_bonds", [](json& d) { d["runs"][9].erase("longest_bond_A"); }},
-        Corruption{"law_without_coefficients", [](json& d) { d["law"].erase("coefficient_eV_per_A2"); }},
-        Corruption{"explanation_without_bending", [](json& d) { d["explanation"][0].erase("bending"); }},
-        Corruption{"number_for_flag", [](json& d) { d["runs"][0]["converged"][0] = 1; }},
-        Corruption{"fraction_of_an_evaluation", [](json& d) { d["runs"][0]["force_evaluations"][0] = 1.5; }},
-        Corruption{"no_fit_without_reason", [](json& d) { d["runs"][0]["fit"] = nullptr; }},
-        Corruption{"fit_and_reason", [](json& d) { d["runs"][0]["fit_skipped"] = "why"; }},
-        Corruption{"fit_of_three_points", [](json& d) { d["runs"][0]["fit"]["points"] = 3; }},
-        Corruption{"fit_without_error", [](json& d) { d["runs"][0]["fit"].erase("Eh_stderr_N_per_m"); }},
-        Corruption{"window_of_one", [](json& d) { d["agreement"]["window"] = {0.1}; }},
-        Corruption{"no_agreement_without_reason", [](json& d) { d["agreement"] = nullptr; }},
-        Corruption{"null_verdict", [](json& d) { d["agreement"]["passed"] = nullptr; }},
-        Corruption{"no_wall_time", [](json& d) { d["timing"].erase("wall_s"); }},
-        Corruption{"broken_hash", [](json& d) { d["provenance"]["potential_sha256"] = "abc"; }}),
+    testing::Values(Corruption{"wrong_schema_number", [](json& d) { d["schema"] = 2; }},
+                    Corruption{"no_runs", [](json& d) { d.erase("runs"); }},
+                    Corruption{"unknown_key", [](json& d) { d["extra"] = 1; }},
+                    Corruption{"unknown_key_in_case", [](json& d) { d["case"]["extra"] = 1; }},
+                    Corruption{"negative_radius", [](json& d) { d["case"]["radius_A"] = -1; }},
+                    Corruption{"no_atoms", [](json& d) { d["sheet"]["atoms"] = 0; }},
+                    Corruption{"card_without_twin", [](json& d) { d["card"].erase("Eh_N_per_m"); }},
+                    Corruption{"text_for_number", [](json& d) { d["card"]["nu"] = "0.36"; }},
+                    Corruption{"unknown_model", [](json& d) { d["runs"][0]["model"] = "plate"; }},
+                    Corruption{"unknown_load", [](json& d) { d["runs"][0]["load"] = "needle"; }},
+                    Corruption{"unknown_end", [](json& d) { d["runs"][0]["ended"] = "tired"; }},
+                    Corruption{"constants_of_atoms", [](json& d) { d["runs"][0]["constants"] = "none"; }},
+                    Corruption{"membrane_without_constants", [](json& d) { d["runs"][2].erase("constants"); }},
+                    Corruption{"atoms_without_bonds", [](json& d) { d["runs"][0].erase("longest_bond_A"); }},
+                    Corruption{"membrane_with_bonds", [](json& d) { d["runs"][2]["longest_bond_A"] = json::array(); }},
+                    Corruption{"sheet_without_bonds", [](json& d) { d["runs"][9].erase("longest_bond_A"); }},
+                    Corruption{"law_without_coefficients", [](json& d) { d["law"].erase("coefficient_eV_per_A2"); }},
+                    Corruption{"explanation_without_bending", [](json& d) { d["explanation"][0].erase("bending"); }},
+                    Corruption{"number_for_flag", [](json& d) { d["runs"][0]["converged"][0] = 1; }},
+                    Corruption{"fraction_of_an_evaluation",
+                               [](json& d) { d["runs"][0]["force_evaluations"][0] = 1.5; }},
+                    Corruption{"no_fit_without_reason", [](json& d) { d["runs"][0]["fit"] = nullptr; }},
+                    Corruption{"fit_and_reason", [](json& d) { d["runs"][0]["fit_skipped"] = "why"; }},
+                    Corruption{"fit_of_three_points", [](json& d) { d["runs"][0]["fit"]["points"] = 3; }},
+                    Corruption{"fit_without_error", [](json& d) { d["runs"][0]["fit"].erase("Eh_stderr_N_per_m"); }},
+                    Corruption{"window_of_one", [](json& d) { d["agreement"]["window"] = {0.1}; }},
+                    Corruption{"no_agreement_without_reason", [](json& d) { d["agreement"] = nullptr; }},
+                    Corruption{"null_verdict", [](json& d) { d["agreement"]["passed"] = nullptr; }},
+                    Corruption{"no_wall_time", [](json& d) { d["timing"].erase("wall_s"); }},
+                    Corruption{"broken_hash", [](json& d) { d["provenance"]["potential_sha256"] = "abc"; }}),
     [](const auto& test) { return test.param.name; });
 
 TEST(SummaryJson, TheFileAndTheJsonFlagHoldTheSameDocument) {

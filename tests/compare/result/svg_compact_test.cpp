@@ -33,8 +33,8 @@ TEST(CompactSvg, CornersStayWithinATwentiethOfAPixel) {
 
 TEST(CompactSvg, StrokesShareTheirGroupAndTextStays) {
   const auto stroke = [](int n) {
-    return "\t<g id=\"gnuplot_plot_" + std::to_string(n) + "a\" ><title>t</title>\n<g stroke-width=\"1\">\n\t<path d='M" +
-           std::to_string(n) + ",0'/></g>\n\t</g>\n";
+    return "\t<g id=\"gnuplot_plot_" + std::to_string(n) +
+           "a\" ><title>t</title>\n<g stroke-width=\"1\">\n\t<path d='M" + std::to_string(n) + ",0'/></g>\n\t</g>\n";
   };
   EXPECT_EQ(compact_svg(stroke(1) + stroke(2) + "<text>x</text>\n"),
             "<g stroke-width=\"1\">\n\t<path d='M1,0'/>\n\t<path d='M2,0'/>\n</g>\n<text>x</text>\n");

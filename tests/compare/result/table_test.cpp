@@ -53,15 +53,12 @@ TEST(Table, SaysWhatWasLeftOutAndHowAPathEnded) {
   Result result = sample::full();
   const std::string text = table(result);
   EXPECT_NE(line_with(text, "atomistic point ").find("artefact"), std::string::npos);
-  EXPECT_NE(
-      unbroken(text).find("atomistic point: 1 point with a bond ≥ 1.70 Å (artefact zone, from 22 Å on)"),
-      std::string::npos)
+  EXPECT_NE(unbroken(text).find("atomistic point: 1 point with a bond ≥ 1.70 Å (artefact zone, from 22 Å on)"),
+            std::string::npos)
       << text;
   const std::string failed = table(sample::atoms_failed());
-  EXPECT_NE(unbroken(failed).find("atomistic disc: no fit: 0 usable points of 0"), std::string::npos)
-      << failed;
-  EXPECT_NE(unbroken(failed).find("atomistic disc: path ended (failed): ERROR: Lost atoms"),
-            std::string::npos);
+  EXPECT_NE(unbroken(failed).find("atomistic disc: no fit: 0 usable points of 0"), std::string::npos) << failed;
+  EXPECT_NE(unbroken(failed).find("atomistic disc: path ended (failed): ERROR: Lost atoms"), std::string::npos);
   EXPECT_NE(failed.find("No verdict: there is no"), std::string::npos);
 }
 
@@ -74,7 +71,8 @@ TEST(Table, StatesTheVerdictWithItsNumbers) {
   result.agreement->passed = true;
   const std::string passed = table(result);
   EXPECT_NE(passed.find("\nAGREEMENT\n"), std::string::npos);
-  for (const char* part : {"0.03 to 0.22", "disc load", "4.00 %", "12 Å", "0.9600", "1.00 %", "own law, with bending", "disc load: what a plain membrane lacks"}) {
+  for (const char* part : {"0.03 to 0.22", "disc load", "4.00 %", "12 Å", "0.9600", "1.00 %", "own law, with bending",
+                           "disc load: what a plain membrane lacks"}) {
     EXPECT_NE(unbroken(passed).find(part), std::string::npos) << part << "\nin " << passed;
   }
   result.agreement->passed = false;
