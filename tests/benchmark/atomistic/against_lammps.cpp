@@ -14,7 +14,7 @@
 
 #include "atomistic/loads/load_term.hpp"
 #include "atomistic/protocol/data_file.hpp"
-#include "tests/atomistic/plain_lammps.hpp"
+#include "tests/atomistic/support/plain_lammps.hpp"
 #include "tests/benchmark/atomistic/support.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/compare/input/support.hpp"
+#include "tests/compare/support.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/base/sha256.hpp"
-#include "tests/compare/input/support.hpp"
+#include "tests/compare/support.hpp"
 
 namespace {
 

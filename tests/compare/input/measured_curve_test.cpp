@@ -1,0 +1,192 @@
+// Measured curves: what is read from a file, what is found in it, and what is said of it.
+#include "compare/input/measured_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "compare/base/errors.hpp"
+#include "compare/base/units.hpp"
+#include "compare/fitting/fit_warnings.hpp"
+#include "compare/fitting/measured_fit.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+using namespace validate;
+
+namespace {
+
+class Measured : public testing::Test {
+ protected:
+  MeasuredCurve read(const std::string& content, const ColumnChoice& choice = {}) const {
+    write_to("curve.csv", content);
+    return read_measured(folder_ / "curve.csv", choice);
+  }
+  std::string refusal(const std::string& content, const ColumnChoice& choice = {}) const {
+    try {
+      read(content, choice);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_code(), ExitCode::bad_input);
+      return error.what();
+    }
+    return "accepted";
+  }
+  void write_to(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Measured, UnitsComeFromTheHeader) {
+  for (const char* header : {"depth_nm,force_nN", "Depth (nm),Force (nN)", "indentation [nm], load [nN]",
+                             "depth nm,force nN", "depth/nm,force/nN"}) {
+    const MeasuredCurve curve = read(std::string(header) + "\n2.5,10\n+5e0,20.5\n");
+    EXPECT_EQ(curve.depth_A, (std::vector{25.0, 50.0})) << header;
+    EXPECT_NEAR(curve.force_eV_per_A[1], 20.5 / nN_per_eV_per_A, 1e-12) << header;
+    EXPECT_TRUE(curve.sigma_eV_per_A.empty());
+  }
+}
+
+TEST_F(Measured, TheProgramsOwnCurvesCanBeRead) {
+  const MeasuredCurve curve =
+      read("# run.0.model: membrane\nrun,depth_A,conjugate_depth_A,force_eV_per_A\n0,2,1.9,0.5\n");
+  EXPECT_EQ(curve.depth_A, std::vector{2.0});
+  EXPECT_EQ(curve.force_eV_per_A, std::vector{0.5});
+}
+
+TEST_F(Measured, ColumnsCanBeChosenAndSeparatorsVary) {
+  const std::string content = "# radius: 0.5 um\n\nz_um;x_nm;F_uN;sigma_nN\n1;2;3;4\n";
+  const MeasuredCurve by_name = read(content, {"z_um", "F", ""}), by_number = read(content, {"1", "3", "4"});
+  EXPECT_EQ(by_name.depth_A, std::vector{1e4});
+  EXPECT_NEAR(by_name.force_eV_per_A[0], 3000 / nN_per_eV_per_A, 1e-9);
+  EXPECT_EQ(by_name.depth_A, by_number.depth_A);
+  EXPECT_EQ(by_name.sigma_eV_per_A, by_number.sigma_eV_per_A);
+  EXPECT_EQ(by_name.remarks.at("radius"), "0.5 um");
+  EXPECT_EQ(read("depth_nm\tforce_nN\n1\t2\n").depth_A, std::vector{10.0});
+}
+
+TEST_F(Measured, WhatIsWrongIsNamedWithItsLine) {
+  const auto expect = [&](const std::string& content, std::initializer_list<const char*> words,
+                          const ColumnChoice& choice = {}) {
+    const std::string message = refusal(content, choice);
+    for (const char* word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
+  };
+  expect("", {"empty", "depth_nm,force_nN"});
+  expect("depth,force_nN\n1,2\n", {":1:", "'depth' has no unit", "depth_nm"});
+  expect("depth_kg,force_nN\n1,2\n", {"no unit that a length"});
+  expect("height_nm,force_nN\n1,2\n", {"no column for depth", "height_nm", "--depth-column"});
+  expect("depth_nm,force_nN\n1,2\n2,x\n", {":3:", "'x'", "force_nN"});
+  expect("depth_nm,force_nN\n1,nan\n", {":2:", "'nan'"});
+  expect("depth_nm,force_nN\n1,2,3\n", {":2:", "3 cells", "2"});
+  expect("depth_nm,force_nN\n1,2\n", {"--force-column", "forse_nN", "'force_nN'?"}, {"", "forse_nN", ""});
+  expect("depth_nm,force_nN\n1,2\n", {"no column 3"}, {"", "3", ""});
+  expect("depth_nm,force_nN,sigma_nN\n1,2,0\n", {"standard deviation"});
+  EXPECT_THROW(read_measured(folder_ / "none.csv", {}), Error);
+}
+
+MeasuredOptions drum(double tip_A = 165) {
+  MeasuredOptions options;
+  options.geometry = {5000, 0.165, tip_A, 0};
+  options.sphere = false;
+  options.fit.bootstrap_samples = 0;
+  return options;
+}
+
+MeasuredCurve synthetic(double contact_A, double zero_eV_per_A) {
+  const double truth[] = {21.35, 0.0212};
+  const AnyCurveModel model = closed_form("foeppl", "").make(drum().geometry);
+  MeasuredCurve curve;
+  curve.file = "synthetic.csv";
+  for (double d = -195; d <= 800; d += 15) {
+    curve.depth_A.push_back(d + contact_A);
+    curve.force_eV_per_A.push_back(zero_eV_per_A + (d > 0 ? model.value(d, truth) : 0));
+  }
+  return curve;
+}
+
+TEST(MeasuredFit, ZerosAreFoundOrTakenOff) {
+  MeasuredOptions options = drum();
+  options.model = "foeppl";
+  options.contact_A = 40;
+  options.baseline_to_A = 20;
+  const MeasuredResult given = evaluate(synthetic(40, 3), options);
+  EXPECT_NEAR(given.baseline_eV_per_A, 3, 1e-12);
+  EXPECT_NEAR(given.fit.Eh_eV_per_A2 / 21.35, 1, 1e-6);
+  EXPECT_NEAR(given.fit.pretension_eV_per_A2 / 0.0212, 1, 1e-5);
+  options.contact_A = 0;
+  options.depth_min_A = 60;
+  options.fit_contact = options.fit_force_zero = true;
+  options.baseline_to_A.reset();
+  const MeasuredResult found = evaluate(synthetic(40, 3), options);
+  EXPECT_NEAR(*found.fit.depth_offset_A, 40, 0.05);
+  EXPECT_NEAR(*found.fit.force_offset_eV_per_A, 3, 0.01);
+  EXPECT_EQ(found.fit.correlation_matrix.size(), 16u);
+  EXPECT_GT(*found.fit.depth_offset_stderr_A, 0);
+  EXPECT_NEAR(found.fit.Eh_eV_per_A2 / 21.35, 1, 1e-3);
+}
+
+TEST(MeasuredFit, TheBiasIsKnownAndTakenOut) {
+  const MeasuredResult result = evaluate(synthetic(0, 0), drum());
+  ASSERT_TRUE(result.fit.bias && result.fit.direct) << result.direct_skipped;
+  EXPECT_GT(result.fit.Eh_eV_per_A2 / 21.35, 1.15);
+  EXPECT_NEAR(result.fit.bias->Eh_corrected_eV_per_A2 / 21.35, 1, 0.005);
+  EXPECT_NEAR(result.fit.bias->pretension_corrected_eV_per_A2 / 0.0212, 1, 0.01);
+  EXPECT_NEAR(result.fit.direct->Eh_eV_per_A2 / 21.35, 1, 0.005);
+}
+
+TEST(MeasuredFit, RefusesWhatCannotBeFitted) {
+  MeasuredOptions options = drum();
+  options.depth_min_A = 790;
+  EXPECT_THROW(evaluate(synthetic(0, 0), options), Error);
+  options = drum();
+  options.fit.weighting = Weighting::sigma;
+  EXPECT_THROW(evaluate(synthetic(0, 0), options), Error);
+  MeasuredCurve pulled = synthetic(0, 0);
+  for (double& f : pulled.force_eV_per_A) f = -f;
+  EXPECT_THROW(evaluate(pulled, drum()), Error);
+}
+
+bool says(const std::vector<std::string>& warnings, const std::string& words) {
+  return std::ranges::any_of(warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+Fit good_fit() {
+  Fit fit;
+  fit.Eh_eV_per_A2 = 20;
+  fit.pretension_eV_per_A2 = 0.02;
+  fit.pretension_stderr_eV_per_A2 = 0.001;
+  fit.rms_relative = 0.001;
+  fit.points = 20;
+  fit.window_A = {1, 20};
+  return fit;
+}
+
+TEST(FitWarnings, NoneForAFitWithoutReproach) { EXPECT_TRUE(fit_warnings(good_fit(), {.a_A = 110}).empty()); }
+
+TEST(FitWarnings, EachHasItsCause) {
+  Fit fit = good_fit();
+  fit.pretension_eV_per_A2 = -0.02;
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "negative"));
+  fit = good_fit();
+  fit.bias = FitBias{20, 28, 0.02, 0.01, 14, 0.03};
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "looks good"));
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "40.0 % too high"));
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "pretension is read 50 % too low"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .bending_eV = 2}), "16κ/a²"));
+  EXPECT_FALSE(says(fit_warnings(good_fit(), {.a_A = 5000, .bending_eV = 1.4}), "16κ/a²"));
+  fit = good_fit();
+  fit.points = 5;
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "few"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 1000}), "too shallow"));
+  fit = good_fit();
+  fit.window_A = {15, 20};
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "extrapolated"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .artefact_points = 2}), "artefact"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .longest_bond_A = 1.69, .artefact_bond_A = 1.7}), "1.690"));
+  EXPECT_FALSE(says(fit_warnings(good_fit(), {.a_A = 110, .longest_bond_A = 1.69, .artefact_bond_A = 1.92}), "1.690"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .radius_error_A = 0.35}), "0.6 %"));
+  EXPECT_TRUE(says(fit_warnings(good_fit(), {.a_A = 110, .tip_assumed_a_point = true}), "no tip radius"));
+}
+
+}  // namespace
