@@ -31,6 +31,7 @@ libvalijson-dev
 ninja-build
 nlohmann-json3-dev
 openmpi-bin
+patch
 pkg-config
 python3-h5py
 python3-meshio

@@ -15,7 +15,6 @@
 #include "compare/base/progress.hpp"
 #include "compare/documents/texts/verify_table.hpp"
 #include "compare/verify/groups.hpp"
-#include "membrane/base/fault.hpp"
 
 namespace validate {
 namespace {
@@ -27,7 +26,7 @@ using verify::Row;
 struct VerifyFlags {
   std::string what;
   std::vector<std::string> groups;
-  std::string out, json, broken;
+  std::string out, json;
   bool quiet = false;
 };
 
@@ -49,21 +48,6 @@ std::vector<Group> chosen(const VerifyFlags& flags) {
   if (result.empty()) result.assign(verify::groups().begin(), verify::groups().end());
   return result;
 }
-
-#ifdef VALIDATE_FAULTS
-void set_fault(const std::string& name) {
-  if (name.empty()) return;
-  std::vector<std::string_view> names;
-  for (const membrane::NamedFault& fault : membrane::named_faults) {
-    if (fault.name == name) membrane::present_fault = fault.fault;
-    names.push_back(fault.name);
-  }
-  if (membrane::present_fault == membrane::Fault::none)
-    throw bad_input("--break: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "), did_you_mean(name, names));
-}
-#else
-void set_fault(const std::string&) {}
-#endif
 
 std::vector<Row> rows_of(const std::vector<Group>& groups, Progress& progress) {
   std::vector<Row> rows;
@@ -92,7 +76,6 @@ void write_files(const VerifyFlags& flags, const std::vector<Row>& rows, const s
 
 /// Exit code 3 where a row fails.
 int verify_command(const VerifyFlags& flags) {
-  set_fault(flags.broken);
   const std::vector<Group> groups = chosen(flags);
   Progress progress(flags.quiet);
   const std::vector<Row> rows = rows_of(groups, progress);
@@ -130,9 +113,6 @@ void add_verify(CLI::App& app, int& exit_code) {
   command->add_option("--json", flags->json, "write the rows as JSON; - for stdout, instead of the table")
       ->type_name("FILE");
   command->add_flag("--quiet", flags->quiet, "no progress on stderr");
-#ifdef VALIDATE_FAULTS
-  command->add_option("--break", flags->broken, "with one term of the membrane wrong")->type_name("NAME");
-#endif
   command->footer(footer());
   command->callback([flags, &exit_code] { exit_code = verify_command(*flags); });
 }

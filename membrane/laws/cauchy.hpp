@@ -1,7 +1,6 @@
 // Cauchy stress of a sheet in plane stress, which needs the thickness that the sheet has now.
 #pragma once
 
-#include "membrane/base/fault.hpp"
 #include "membrane/laws/tension_field.hpp"
 
 namespace membrane {
@@ -25,7 +24,7 @@ Voigt cauchy_force(const L& law, const Voigt& strain, const Voigt& offset, bool 
   const Voigt natural = relaxed ? natural_strain(law, strain, offset) : strain;
   const Voigt total = strain + offset;
   const Response at = relaxed ? tension_field(law, total) : law(total);
-  const double thickness = broken(Fault::constant_thickness) ? 1 : law.thickness_stretch(natural);
+  const double thickness = law.thickness_stretch(natural);
   return cauchy_force(at.force_eV_per_A2, natural, thickness);
 }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "membrane/base/fault.hpp"
 #include "membrane/laws/cauchy_born_sixfold.hpp"
 #include "membrane/laws/principal.hpp"
 
@@ -61,7 +60,6 @@ template <DirectionalLaw L>
 Wrinkles wrinkles_of(const L& law, const Voigt& strain) {
   const Principal axes = principal_strains(strain);
   if (!(axes.larger > 0)) return {SheetState::slack, 0, 0};
-  if (broken(Fault::wrinkled_as_taut)) return {};
   const double missing = -law.nu * axes.larger - axes.smaller;
   if (missing > 0) {
     const Wrinkles at = settle_wrinkles(law, strain, {SheetState::wrinkled, missing, minor_axis_rad(axes)});

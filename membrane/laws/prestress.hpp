@@ -1,7 +1,6 @@
 // Prestress as an offset strain: Ē = E + E0 with S_law(E0) = sigma_p, for every law.
 #pragma once
 
-#include "membrane/base/fault.hpp"
 #include "membrane/laws/response.hpp"
 
 namespace membrane {
@@ -29,7 +28,6 @@ class OffsetSearch {
 /// prestress.
 template <MaterialLaw L>
 Voigt offset_strain(const L& law, const Voigt& prestress_eV_per_A2) {
-  if (broken(Fault::no_prestress)) return Voigt::Zero();
   OffsetSearch search(prestress_eV_per_A2, law.sheet_modulus_eV_per_A2);
   while (!search.ended()) search.improve(law(search.strain()));
   return search.strain();

@@ -10,8 +10,7 @@ Voigt hidden_strain(const Principal& offset_strain, double natural_width) {
 Response wrinkled_response(const UniaxialResponse& along, const Principal& strain) {
   const Voigt m11 = strain.axial();
   const Voigt m12 = strain.shear();
-  const double turning =
-      (broken(Fault::double_turning) ? 2 : 1) * along.force_eV_per_A2 / (2 * (strain.larger - strain.smaller));
+  const double turning = along.force_eV_per_A2 / (2 * (strain.larger - strain.smaller));
   Response at;
   at.energy_eV_per_A2 = along.energy_eV_per_A2;
   at.force_eV_per_A2 = along.force_eV_per_A2 * m11;

@@ -4,7 +4,6 @@
 // (1990) 141.
 #pragma once
 
-#include "membrane/base/fault.hpp"
 #include "membrane/laws/directional_wrinkling.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/laws/response.hpp"
@@ -17,8 +16,6 @@ namespace membrane {
 template <IsotropicLaw L>
 SheetState sheet_state(const L& law, const Principal& strain) {
   if (!(strain.larger > 0)) return SheetState::slack;
-  if (broken(Fault::wrinkled_as_taut)) return SheetState::taut;
-  if (broken(Fault::no_contraction)) return strain.smaller > 0 ? SheetState::taut : SheetState::wrinkled;
   return strain.smaller > law.natural_width(strain.larger) ? SheetState::taut : SheetState::wrinkled;
 }
 

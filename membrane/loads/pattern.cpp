@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "membrane/base/fault.hpp"
 #include "membrane/base/refusal.hpp"
 
 namespace membrane {
@@ -41,7 +40,7 @@ Pattern radial_pattern(const Mesh& mesh, double radius_A, const std::function<do
     for (int side = 0; side < 3; ++side) {  // both ends of a side have shape function ½ in its middle
       const int a = nodes[side], b = nodes[(side + 1) % 3];
       const double radius = 0.5 * (mesh.nodes[a] + mesh.nodes[b]).norm();
-      const double share = triangle.area_A2 / 6 * (broken(Fault::uneven_load) ? radius : density(radius));
+      const double share = triangle.area_A2 / 6 * density(radius);
       pattern.weights[a] += share;
       pattern.weights[b] += share;
     }

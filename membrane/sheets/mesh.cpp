@@ -5,8 +5,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "membrane/base/fault.hpp"
-
 namespace membrane {
 namespace {
 
@@ -56,7 +54,6 @@ Triangle make_triangle(const std::vector<Eigen::Vector2d>& nodes, const std::arr
   Triangle triangle{corners, 0.5 * twice_area, {}};
   triangle.shape_gradients << -bc.y(), -ca.y(), -ab.y(), bc.x(), ca.x(), ab.x();
   triangle.shape_gradients /= twice_area;
-  if (broken(Fault::shape_gradient_sign)) triangle.shape_gradients(0, 0) *= -1;
   return triangle;
 }
 

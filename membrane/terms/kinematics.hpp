@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include "membrane/base/fault.hpp"
 #include "membrane/laws/response.hpp"
 #include "membrane/sheets/mesh.hpp"
 
@@ -28,8 +27,7 @@ struct Deformation {
   Voigt green_lagrange() const {
     const auto& G = displacement_gradient;
     const double angle = G(0, 1) + G(1, 0) + G.col(0).dot(G.col(1));
-    return {G(0, 0) + 0.5 * G.col(0).squaredNorm(), G(1, 1) + 0.5 * G.col(1).squaredNorm(),
-            broken(Fault::half_shear) ? 0.5 * angle : angle};
+    return {G(0, 0) + 0.5 * G.col(0).squaredNorm(), G(1, 1) + 0.5 * G.col(1).squaredNorm(), angle};
   }
 };
 
@@ -59,7 +57,7 @@ inline void stiffness(const Triangle& triangle, const Deformation& deformation, 
     for (int a = b; a < 3; ++a) {
       auto block = k.block<3, 3>(3 * a, 3 * b);
       block.noalias() = B.middleCols<3>(3 * a).transpose() * DB.middleCols<3>(3 * b);
-      if (!broken(Fault::no_stress_stiffness)) block.diagonal().array() += triangle.area_A2 * N.col(a).dot(SN);
+      block.diagonal().array() += triangle.area_A2 * N.col(a).dot(SN);
     }
   }
 }

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "membrane/base/fault.hpp"
-
 namespace membrane {
 namespace {
 
@@ -57,7 +55,7 @@ double SphereObstacle::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& g
     const Gap g = gap(at, u);
     const double force = at.contact.force(g.value);
     energy += at.contact.energy(force);
-    gradient.segment<3>(3 * at.node) -= (broken(Fault::double_contact) ? 2 : 1) * force * g.gradient;
+    gradient.segment<3>(3 * at.node) -= force * g.gradient;
     gradient[3 * indenter_ + 2] -= force;
   }
   return energy;

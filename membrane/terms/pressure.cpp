@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include "membrane/base/fault.hpp"
-
 namespace membrane {
 namespace {
 
@@ -51,8 +49,7 @@ Eigen::VectorXd Pressure::volume_gradient(const Eigen::VectorXd& u) const {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(u.size());
   for (const Triangle& triangle : mesh_.triangles) {
     const Eigen::Matrix3d x = positions(mesh_, triangle, u);
-    Eigen::Vector3d area = 0.5 * (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
-    if (broken(Fault::dead_pressure)) area.head<2>().setZero();
+    const Eigen::Vector3d area = 0.5 * (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
     for (int node : triangle.nodes) gradient.segment<3>(3 * node) += area / 3;
   }
   return gradient;
@@ -68,7 +65,7 @@ double Pressure::add_gradient(const Eigen::VectorXd& u, Eigen::VectorXd& gradien
 /// (a, b) is p cross(x_c)/6, with (a, b, c) in turn. Sums over the triangles about a free node are those of the
 /// follower load.
 void Pressure::add_hessian(const Eigen::VectorXd& u, double share, Hessian& hessian) {
-  if (pressure_ == 0 || share == 1 || broken(Fault::no_pressure_stiffness)) return;
+  if (pressure_ == 0 || share == 1) return;
   for (std::size_t t = 0; t < places_.size(); ++t) {
     const Triangle& triangle = mesh_.triangles[t];
     const Eigen::Matrix3d x = positions(mesh_, triangle, u);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "membrane/base/fault.hpp"
 #include "membrane/base/refusal.hpp"
 #include "membrane/laws/prestress.hpp"
 #include "membrane/laws/principal.hpp"
@@ -57,7 +56,7 @@ struct PatternOf {
 
 bool may_cross_planes(const Problem& problem) {
   const auto* rectangle = std::get_if<RectangleSheet>(&problem.sheet);
-  return rectangle && rectangle->extent == Extent::quarter && !broken(Fault::open_mirror);
+  return rectangle && rectangle->extent == Extent::quarter;
 }
 
 Held all_held(const Mesh& mesh, bool with_indenter, const BendingTerm* bending) {

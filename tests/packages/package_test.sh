@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
   "$ninja" -C "$build" -t deps | sed -n 's/^ *\(\/usr\/[^ ]*\)$/\1/p'
   grep -o '/usr/lib[^ ]*\.\(so\|a\)[.0-9]*' "$build/build.ninja"
   ldd "$build/validate" "$build/validate-atoms" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p'
-  for program in gnuplot mpiexec cmake c++ "$ninja"; do command -v "$program"; done
+  for program in gnuplot mpiexec cmake c++ patch "$ninja"; do command -v "$program"; done
   echo /usr/share/lammps/potentials/CH.airebo
   echo /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 } | sort -u | xargs realpath | sort -u >"$work/files"
