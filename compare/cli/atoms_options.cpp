@@ -8,7 +8,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/paths.hpp"
-#include "compare/process/child_process.hpp"
+#include "compare/base/child_process.hpp"
 
 namespace validate {
 namespace {

@@ -13,13 +13,13 @@
 #include <optional>
 #include <set>
 
+#include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
 #include "compare/documents/texts/summary_json.hpp"
-#include "compare/process/child_process.hpp"
 
 namespace validate {
 namespace {
@@ -138,8 +138,10 @@ class Batch {
     const int core = *free_cores_.begin();
     free_cores_.erase(core);
     const OnOneCore only(core);
-    running_.push_back(
-        {index, core, ChildProcess({words, fs::current_path(), folder_ / (case_name(cases_[index]) + ".log")})});
+    running_.push_back({index, core,
+                        ChildProcess({.words = words,
+                                      .standard_error = folder_ / (case_name(cases_[index]) + ".log"),
+                                      .environment = {{"OMP_NUM_THREADS", "1"}}})});
     progress_.say(fmt::format("{}: started", case_name(cases_[index])));
   }
 

@@ -2,6 +2,7 @@
 
 #include <poll.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -11,9 +12,9 @@
 #include <list>
 #include <optional>
 
+#include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
-#include "compare/process/child_process.hpp"
 
 namespace validate {
 namespace {
@@ -103,7 +104,10 @@ RunningJob start(const AtomsLaunch& launch, const AtomsJob& job, std::size_t ind
   return {.index = index,
           .folder = folder,
           .log = job.job.log_file,
-          .child = ChildProcess({command_words(launch, job.ranks, job_file), folder, folder / "stderr"}),
+          .child = ChildProcess({.words = command_words(launch, job.ranks, job_file),
+                                 .folder = folder,
+                                 .standard_error = folder / "stderr",
+                                 .environment = mpi_environment()}),
           .ended_well = false,
           .error = {},
           .fault = atomistic::Fault::program};
@@ -125,6 +129,19 @@ bool readable(const ChildProcess& child) {
 int available_cores() {
   cpu_set_t set;
   return ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
+
+std::vector<std::pair<std::string, std::string>> mpi_environment() {
+  std::vector<std::pair<std::string, std::string>> variables = {{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
+                                                                {"OMPI_MCA_hwloc_base_binding_policy", "none"},
+                                                                {"OMPI_MCA_mpi_yield_when_idle", "1"},
+                                                                {"OMPI_MCA_ess_singleton_isolated", "1"},
+                                                                {"OMP_NUM_THREADS", "1"}};
+  if (::geteuid() == 0) {
+    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");
+    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+  }
+  return variables;
 }
 
 bool has_mpiexec() { return find_program("mpiexec").has_value(); }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "atomistic/protocol/event.hpp"
@@ -33,6 +34,11 @@ struct AtomsOutcome {
 
 /// Cores that this process may use.
 int available_cores();
+
+/// What MPI and OpenMP are told unless the user has said otherwise: run as root in containers, share the cores with the
+/// membrane, do not bind side-by-side runs to the same core, leave the core to others while waiting, and start no
+/// daemon for a single rank (it would have to be in PATH).
+std::vector<std::pair<std::string, std::string>> mpi_environment();
 
 /// Whether `mpiexec` can be found.
 bool has_mpiexec();

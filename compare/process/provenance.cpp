@@ -11,8 +11,9 @@
 #include <iterator>
 
 #include "atomistic/protocol/math_threads.hpp"
+#include "compare/base/child_process.hpp"
 #include "compare/base/paths.hpp"
-#include "compare/process/child_process.hpp"
+#include "compare/process/atoms.hpp"
 #include "git_revision.hpp"
 
 namespace validate {
@@ -33,10 +34,11 @@ std::string cholmod_library_version() {
 /// What `validate-atoms --version` says; the program may be missing.
 std::string lammps_in_use() {
   try {
-    ChildProcess child({{atoms_program().string(), "--version"}, "/", "/dev/null"});
-    std::string text;
-    while (child.output() >= 0)
-      for (const std::string& line : child.read_lines()) text += line;
+    ChildProcess child({.words = {atoms_program().string(), "--version"},
+                        .folder = "/",
+                        .standard_error = "/dev/null",
+                        .environment = mpi_environment()});
+    const std::string text = child.read_to_end();
     if (child.wait().good()) return lammps_release(std::stoi(text));
   } catch (const std::exception& e) {
     return fmt::format("not known: {}", e.what());

@@ -9,7 +9,7 @@ namespace validate {
 
 struct GnuplotReport {
   bool succeeded = false;
-  std::string messages;  ///< what it wrote to stderr; with exit status 0 these are warnings (a missing font)
+  std::string messages;  ///< what it wrote; with exit status 0 these are warnings (a missing font)
 };
 
 /// Runs `gnuplot script` (found on PATH, no shell) and waits for it. Nothing where there is no such program.

@@ -1,4 +1,4 @@
-#include "compare/process/child_process.hpp"
+#include "compare/base/child_process.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -14,8 +14,6 @@
 #include <thread>
 #include <utility>
 
-#include "compare/base/errors.hpp"
-
 extern char** environ;
 
 namespace validate {
@@ -23,19 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What MPI and OpenMP are told unless the user has said otherwise: run as root in containers, share the cores with
-/// the membrane, do not bind side-by-side runs to the same core, leave the core to others while waiting, and start no
-/// daemon for a single rank (it would have to be in PATH).
-std::vector<std::string> environment_for_children() {
-  std::vector<std::pair<std::string, std::string>> defaults = {{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
-                                                               {"OMPI_MCA_hwloc_base_binding_policy", "none"},
-                                                               {"OMPI_MCA_mpi_yield_when_idle", "1"},
-                                                               {"OMPI_MCA_ess_singleton_isolated", "1"},
-                                                               {"OMP_NUM_THREADS", "1"}};
-  if (::geteuid() == 0) {
-    defaults.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");
-    defaults.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
-  }
+std::vector<std::string> all_variables(const std::vector<std::pair<std::string, std::string>>& defaults) {
   std::vector<std::string> all;
   for (char** variable = environ; *variable; ++variable) all.emplace_back(*variable);
   for (const auto& [name, value] : defaults)
@@ -68,14 +54,23 @@ struct Pipe {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // mpiexec takes its ranks along
   if (::getppid() != parent) ::_exit(127);
   const int nothing = ::open("/dev/null", O_RDONLY);
-  const bool ready = nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 && ::dup2(error_file, 2) >= 0 &&
-                     ::chdir(folder) == 0;
+  const bool ready = nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 &&
+                     ::dup2(error_file >= 0 ? error_file : output, 2) >= 0 && (*folder == 0 || ::chdir(folder) == 0);
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
   if (ready) ::execve(program, arguments, variables);
   const int reason = errno;
   [[maybe_unused]] const auto written = ::write(report, &reason, sizeof reason);
   ::_exit(127);
+}
+
+/// −1 for no file.
+int opened_for_errors(const fs::path& file) {
+  if (file.empty()) return -1;
+  const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (opened < 0)
+    throw Error(ExitCode::file_failed, fmt::format("cannot write '{}': {}", file.string(), std::strerror(errno)));
+  return opened;
 }
 
 ChildEnd end_of(int status) {
@@ -93,7 +88,8 @@ std::optional<fs::path> find_program(const std::string& name) {
   for (std::size_t start = 0; start <= folders.size();) {
     const std::size_t end = std::min(folders.find(':', start), folders.size());
     const fs::path candidate = fs::path(folders.substr(start, end - start)) / name;
-    if (fs::is_regular_file(candidate) && ::access(candidate.c_str(), X_OK) == 0) return candidate;
+    if (std::error_code ignored; fs::is_regular_file(candidate, ignored) && ::access(candidate.c_str(), X_OK) == 0)
+      return candidate;
     start = end + 1;
   }
   return std::nullopt;
@@ -102,21 +98,18 @@ std::optional<fs::path> find_program(const std::string& name) {
 ChildProcess::ChildProcess(const ChildCommand& command) {
   const auto program = find_program(command.words.front());
   if (!program)
-    throw Error(ExitCode::atomistic_failed,
+    throw Error(command.if_not_started,
                 fmt::format("'{}' cannot be started: no such program in PATH", command.words.front()));
-  std::vector<std::string> words = command.words, variables = environment_for_children();
+  std::vector<std::string> words = command.words, variables = all_variables(command.environment);
   std::vector<char*> argument_pointers = pointers(words), variable_pointers = pointers(variables);
-  const int error_file = ::open(command.standard_error.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (error_file < 0)
-    throw Error(ExitCode::file_failed,
-                fmt::format("cannot write '{}': {}", command.standard_error.string(), std::strerror(errno)));
+  const int error_file = opened_for_errors(command.standard_error);
   const Pipe output, report;
   const pid_t parent = ::getpid();
   pid_ = ::fork();
   if (pid_ == 0)
     become(program->c_str(), argument_pointers.data(), variable_pointers.data(), command.folder.c_str(), error_file,
            output.write, report.write, parent);
-  ::close(error_file);
+  if (error_file >= 0) ::close(error_file);
   ::close(output.write);
   ::close(report.write);
   output_ = output.read;
@@ -126,7 +119,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   if (failed) {
     if (pid_ > 0) ::waitpid(pid_, nullptr, 0);
     ::close(output_);
-    throw Error(ExitCode::atomistic_failed,
+    throw Error(command.if_not_started,
                 fmt::format("'{}' cannot be started: {}", program->string(), std::strerror(reason)));
   }
 }
@@ -134,7 +127,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       output_(std::exchange(other.output_, -1)),
-      unfinished_line_(std::move(other.unfinished_line_)),
+      unread_(std::move(other.unread_)),
       end_(other.end_) {}
 
 ChildProcess::~ChildProcess() {
@@ -142,21 +135,32 @@ ChildProcess::~ChildProcess() {
   if (output_ >= 0) ::close(output_);
 }
 
-std::vector<std::string> ChildProcess::read_lines() {
+bool ChildProcess::read_more() {
   char buffer[65536];
   const ssize_t got = ::read(output_, buffer, sizeof buffer);
-  if (got < 0 && (errno == EINTR || errno == EAGAIN)) return {};
+  if (got < 0 && (errno == EINTR || errno == EAGAIN)) return true;
   if (got <= 0) {
     ::close(std::exchange(output_, -1));
-    return {};
+    return false;
   }
-  unfinished_line_.append(buffer, static_cast<std::size_t>(got));
+  unread_.append(buffer, static_cast<std::size_t>(got));
+  return true;
+}
+
+std::vector<std::string> ChildProcess::read_lines() {
+  read_more();
   std::vector<std::string> lines;
-  for (std::size_t end; (end = unfinished_line_.find('\n')) != std::string::npos;) {
-    lines.push_back(unfinished_line_.substr(0, end));
-    unfinished_line_.erase(0, end + 1);
+  for (std::size_t end; (end = unread_.find('\n')) != std::string::npos;) {
+    lines.push_back(unread_.substr(0, end));
+    unread_.erase(0, end + 1);
   }
   return lines;
+}
+
+std::string ChildProcess::read_to_end() {
+  while (output_ >= 0 && read_more()) {
+  }
+  return std::exchange(unread_, {});
 }
 
 ChildEnd ChildProcess::wait() {

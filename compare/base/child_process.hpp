@@ -1,4 +1,4 @@
-// A program started without a shell, its standard output read as lines, its standard error kept in a file.
+// A program started without a shell, its standard output read as lines or as a whole.
 #pragma once
 
 #include <sys/types.h>
@@ -6,14 +6,19 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "compare/base/errors.hpp"
 
 namespace validate {
 
 struct ChildCommand {
-  std::vector<std::string> words;        ///< program (searched in PATH) and arguments
-  std::filesystem::path folder;          ///< where it runs
-  std::filesystem::path standard_error;  ///< file
+  std::vector<std::string> words;                                     ///< program (searched in PATH) and arguments
+  std::filesystem::path folder = {};                                  ///< where it runs; empty: where this program does
+  std::filesystem::path standard_error = {};                          ///< file; empty: mixed into the standard output
+  std::vector<std::pair<std::string, std::string>> environment = {};  ///< variables that the user has not set
+  ExitCode if_not_started = ExitCode::atomistic_failed;               ///< of the error
 };
 
 /// How a child ended.
@@ -23,10 +28,12 @@ struct ChildEnd {
   bool good() const { return exit_code == 0 && signal == 0; }
 };
 
-/// Runs in a process group of its own, dies with this program (even by kill -9), reads nothing from stdin.
+/// Runs in a process group of its own, dies with the thread that started it (even by kill -9), reads nothing from
+/// stdin.
 class ChildProcess {
  public:
-  /// Throws Error (atomistic failed) naming the program if it cannot be started.
+  /// Throws Error (the command's exit code) naming the program if it cannot be started; file failed where its standard
+  /// error cannot be kept.
   explicit ChildProcess(const ChildCommand& command);
   ~ChildProcess();  ///< stops it if it still runs
   ChildProcess(ChildProcess&& other) noexcept;
@@ -37,14 +44,19 @@ class ChildProcess {
   /// Complete lines that have arrived; call when output() is readable. Closes output() at its end.
   std::vector<std::string> read_lines();
 
+  /// All that it writes until its end, an unfinished last line included.
+  std::string read_to_end();
+
   /// Asks the whole group to stop, then insists. Returns when it has ended.
   ChildEnd stop();
   ChildEnd wait();
 
  private:
+  bool read_more();  ///< what has arrived goes to unread_; false at its end
+
   pid_t pid_ = -1;
   int output_ = -1;
-  std::string unfinished_line_;
+  std::string unread_;
   std::optional<ChildEnd> end_;
 };
 
