@@ -44,6 +44,10 @@ fs::path temporary_beside(const fs::path& target) {
 
 }  // namespace
 
+bool is_temporary_of(std::string_view name, std::string_view target) {
+  return name.starts_with(fmt::format(".{}.", target)) && name.ends_with(".tmp");
+}
+
 PendingFile::PendingFile(fs::path target) : target_(fs::absolute(std::move(target))), path_(temporary_beside(target_)) {
   const Descriptor created(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!created.open()) throw cannot_write(target_, errno);
@@ -69,8 +73,11 @@ void PendingFile::commit() {
   if (!file.open() || ::fsync(file.get()) != 0) throw cannot_write(target_, errno);
   if (::rename(path_.c_str(), target_.c_str()) != 0) throw cannot_write(target_, errno);
   committed_ = true;
-  // The rename itself must survive a power cut. Some file systems cannot sync a folder: nothing is lost then.
-  const Descriptor folder(target_.parent_path(), O_RDONLY | O_DIRECTORY);
+  sync_folder(target_.parent_path());
+}
+
+void sync_folder(const fs::path& path) {
+  const Descriptor folder(path, O_RDONLY | O_DIRECTORY);
   if (folder.open()) ::fsync(folder.get());
 }
 

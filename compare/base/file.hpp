@@ -29,6 +29,12 @@ class PendingFile {
   bool committed_ = false;
 };
 
+/// Whether a file of this name is what a killed program has left of a PendingFile for `target`.
+bool is_temporary_of(std::string_view name, std::string_view target);
+
+/// Makes the names in it survive a power cut. Some file systems cannot: nothing is lost then.
+void sync_folder(const std::filesystem::path& folder);
+
 /// The whole content, atomically.
 void write_file(const std::filesystem::path& target, std::string_view content);
 

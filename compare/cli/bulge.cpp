@@ -68,8 +68,8 @@ AtomsCurve solve_pair(const BulgePair& pair, const AtomsLaunch& launch, int rank
   for (const BulgePoint& point : result.points) depths.push_back(point.depth_A);
   result.atoms = bulge_atoms(pair, curve, depths, result.pictures);
   result.provenance.lammps = curve.lammps;
-  write_lammps_log(folder.work(), folder.path());
-  write_deepest_sheet(pair.atoms.potential, atoms_load, pair.sheet, folder.work(), folder.path());
+  write_lammps_log(folder.work(), folder.drafts());
+  write_deepest_sheet(pair.atoms.potential, atoms_load, pair.sheet, folder.work(), folder.drafts());
   return curve;
 }
 
@@ -151,11 +151,12 @@ int bulge(const CLI::App& command, const RunOptions& options) {
     folder.remove_if_unused();
     throw;
   }
-  write_bulge(result, folder.path());
+  write_bulge(result, folder.drafts());
+  folder.publish();
   if (!options.json || *options.json != "-") fmt::print("{}", bulge_table(result));
   if (options.json) write_document(result, options.json->string());
   if (!curve.failure.empty()) throw Error(curve.failure_code, curve.failure);
-  folder.finish();
+  folder.finish(interrupted() ? ExitCode::interrupted : exit_code_of(result));
   progress.say(fmt::format("wrote {}", folder.path().string()));
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; the pressures so far are written");
   return static_cast<int>(exit_code_of(result));

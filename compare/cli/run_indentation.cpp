@@ -41,17 +41,30 @@ ExitCode verdict(const StudyOutcome& outcome) {
   return agreement && !agreement->passed ? ExitCode::disagreement : ExitCode::success;
 }
 
-void report(const StudyOutcome& outcome, const atomistic::Potential& potential, const RunOptions& options,
-            RunFolder& folder) {
-  write_all(outcome.result, folder.path());
-  write_lammps_log(folder.work(), folder.path());
+void write_documents(const StudyOutcome& outcome, const atomistic::Potential& potential, const RunOptions& options,
+                     const RunFolder& folder) {
+  const std::filesystem::path drafts = folder.drafts();
+  write_all(outcome.result, drafts);
+  write_lammps_log(folder.work(), drafts);
   if (outcome.sheet)
     for (const std::string& load : outcome.result.resolved.loads)
-      write_deepest_sheet(potential, load, *outcome.sheet, folder.work(), folder.path());
+      write_deepest_sheet(potential, load, *outcome.sheet, folder.work(), drafts);
   const bool table_on_stdout = !options.json || *options.json != "-";
   if (table_on_stdout && !outcome.result.runs.empty()) print_table(outcome.result, stdout);
-  write_report(outcome.result, folder.path(), folder.path() / "report.html");  // last: it shows the sheets
+  write_report(outcome.result, drafts, drafts / "report.html");  // last: it shows the sheets
   if (options.json) write_json(outcome.result, options.json->string());
+}
+
+/// What one document fails at does not take the others away.
+void report(const StudyOutcome& outcome, const atomistic::Potential& potential, const RunOptions& options,
+            RunFolder& folder) {
+  try {
+    write_documents(outcome, potential, options, folder);
+  } catch (const std::exception&) {
+    folder.publish();
+    throw;
+  }
+  folder.publish();
 }
 
 /// What decides the numbers of a run: the case, and what the potential's name stands for.
@@ -71,7 +84,11 @@ Error interrupted_in(const RunFolder& folder) {
 /// The potential that the run uses: its switch moved in a copy in the folder if asked for.
 std::optional<PotentialFile> prepared(const std::optional<PotentialFile>& potential, const Case& c, RunFolder& folder) {
   if (!potential) return std::nullopt;
-  return c.switch_length_A ? with_switch_at(*potential, *c.switch_length_A, folder.path(), "switch-length") : potential;
+  if (!c.switch_length_A) return potential;
+  PotentialFile moved = with_switch_at(*potential, *c.switch_length_A, folder.drafts(), "switch-length");
+  folder.publish();
+  moved.potential.file = (folder.path() / std::filesystem::path(moved.potential.file).filename()).string();
+  return moved;
 }
 
 }  // namespace
@@ -94,7 +111,7 @@ int run_indentation(const Case& c, const RunOptions& options, const std::optiona
         run_study(c, used, {launch, options.ranks, folder.path(), options.all_fields}, progress);
     report(outcome, used ? used->potential : atomistic::Potential(), options, folder);
     if (!outcome.failure.empty()) throw Error(outcome.failure_code, outcome.failure);
-    folder.finish();
+    folder.finish(verdict(outcome));
     progress.say(fmt::format("wrote {}", folder.path().string()));
     return static_cast<int>(verdict(outcome));
   } catch (const std::exception& error) {

@@ -1,16 +1,9 @@
 #include "compare/process/run_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -22,23 +15,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a run leaves in its folder, and so may be replaced by the next one; anything else there is the user's.
-bool is_run_file(const std::string& name) {
-  constexpr std::string_view names[] = {
-      "run.h5",          "curves.csv",      "summary.json", "figure.svg", "figure.png",
-      "window_scan.svg", "window_scan.png", "report.html",  "lammps.log", "work"};
-  return std::find(std::begin(names), std::end(names), name) != std::end(names) ||
-         (name.starts_with("atoms-") && (name.ends_with(".extxyz") || name.ends_with(".data"))) ||
-         name.starts_with("switched-");
-}
+constexpr const char* drafts_name = "drafts";
 
-enum class Holds { nothing, finished_run, unfinished_run, something_else };
+enum class Holds { nothing, begun_run, unfinished_run, finished_run, something_else };
+
+/// Killed between its first folder and its case: nothing but an empty `work`.
+bool is_begun(const fs::path& folder) {
+  const bool work_alone = !fs::is_empty(folder) &&
+                          std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const auto& entry) {
+                            return entry.path().filename() == "work" && entry.is_directory();
+                          });
+  return work_alone &&
+         std::all_of(fs::directory_iterator(folder / "work"), fs::directory_iterator(),
+                     [](const auto& entry) { return is_temporary_of(entry.path().filename().string(), "case.json"); });
+}
 
 Holds contents(const fs::path& folder) {
   if (!fs::exists(folder)) return Holds::nothing;
   if (!fs::is_directory(folder)) return Holds::something_else;
-  if (fs::exists(folder / "work" / "case.json")) return Holds::unfinished_run;
-  if (fs::exists(folder / "summary.json")) return Holds::finished_run;
+  const auto record = read_record(folder);
+  if (record && record->exit_code) return Holds::finished_run;
+  if (is_resumable(folder)) return Holds::unfinished_run;
+  if (record) return record->folders.empty() ? Holds::begun_run : Holds::something_else;
+  if (fs::exists(folder / "summary.json")) return Holds::finished_run;  // by a version that kept no record
+  if (is_begun(folder)) return Holds::begun_run;
   return fs::is_empty(folder) ? Holds::nothing : Holds::something_else;
 }
 
@@ -56,8 +56,10 @@ fs::path default_folder(const std::string& name, bool resume) {
   return numbered(name, number - 1);
 }
 
-void refuse_contents(const fs::path& folder, const RunOptions& options) {
-  switch (contents(folder)) {
+/// What is in the folder, where the options allow it.
+Holds allowed_contents(const fs::path& folder, const RunOptions& options) {
+  const Holds holds = contents(folder);
+  switch (holds) {
     case Holds::something_else:
       throw bad_input("--out: '{}' exists and does not hold a run of this program; choose another folder",
                       folder.string());
@@ -72,7 +74,11 @@ void refuse_contents(const fs::path& folder, const RunOptions& options) {
       break;
     case Holds::nothing:
       if (options.resume) throw bad_input("--resume: '{}' holds no unfinished run", folder.string());
+      break;
+    case Holds::begun_run:
+      break;  // before its case was kept: whatever is asked for, it starts
   }
+  return holds;
 }
 
 void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& now) {
@@ -91,41 +97,65 @@ RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
                      const nlohmann::ordered_json& identity) {
   path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume)).lexically_normal();
   if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
-  refuse_contents(path_, options);
+  allowed_contents(path_, options);                        // before anything is made
   std::error_code error;
   for (fs::path above = path_; !fs::exists(above, error) && above.has_relative_path(); above = above.parent_path())
     first_new_ = above;
   fs::create_directories(path_, error);
   if (error) throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
-  lock();
-  if (options.resume) {
+  lock_.emplace(path_);
+  const Holds holds = allowed_contents(path_, options);  // another run may have been here until now
+  if (options.resume && holds == Holds::unfinished_run) {
     refuse_changed_case(work() / "case.json", identity);
+    record_ = read_record(path_).value_or(RunRecord());
+    fs::remove_all(work() / drafts_name, error);  // half written ones
   } else {
     start(identity);
   }
 }
 
-RunFolder::~RunFolder() {
-  if (lock_ >= 0) ::close(lock_);
-}
-
-void RunFolder::lock() {
-  // Not close-on-exec: the atomistic program holds the lock for as long as it may still write.
-  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY);
-  if (lock_ < 0)
-    throw Error(ExitCode::file_failed, fmt::format("cannot open '{}': {}", path_.string(), std::strerror(errno)));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) throw bad_input("--out: '{}' is in use by another run", path_.string());
-}
-
 void RunFolder::start(const nlohmann::ordered_json& identity) {
+  clear_run(path_);
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(path_))
-    if (is_run_file(entry.path().filename().string())) fs::remove_all(entry.path(), error);
-  if (!error) fs::create_directories(work(), error);
+  fs::create_directories(work(), error);
   if (error)
     throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", path_.string(), error.message()));
   write_file(work() / "case.json", identity.dump(1) + "\n");
   started_here_ = true;
+}
+
+fs::path RunFolder::drafts() const {
+  const fs::path folder = work() / drafts_name;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", folder.string(), error.message()));
+  return folder;
+}
+
+void RunFolder::publish() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(drafts())) names.push_back(entry.path().filename().string());
+  if (names.empty()) return;
+  for (const std::string& name : names) record_.add_file(name);
+  write_record(path_, record_);  // first: a kill then leaves names without files, never files without names
+  std::string failure;
+  for (const std::string& name : names) {
+    std::error_code error;
+    fs::rename(drafts() / name, path_ / name, error);
+    if (error && failure.empty())
+      failure = fmt::format("cannot write '{}': {}", (path_ / name).string(), error.message());
+  }
+  sync_folder(path_);
+  if (!failure.empty()) throw Error(ExitCode::file_failed, failure);
+}
+
+void RunFolder::finish(ExitCode code) {
+  publish();
+  record_.exit_code = static_cast<int>(code);
+  write_record(path_, record_);
+  std::error_code ignored;
+  fs::remove_all(work(), ignored);
 }
 
 void RunFolder::remove_if_unused() {
@@ -137,9 +167,13 @@ void RunFolder::remove_if_unused() {
   for (fs::path folder = path_; fs::remove(folder, ignored) && folder != first_new_;) folder = folder.parent_path();
 }
 
-void RunFolder::finish() {
-  std::error_code ignored;
-  fs::remove_all(work(), ignored);
+std::optional<int> finished_exit_code(const fs::path& folder) {
+  const auto record = read_record(folder);
+  return record ? record->exit_code : std::nullopt;
+}
+
+bool is_resumable(const fs::path& folder) {
+  return !finished_exit_code(folder) && fs::exists(folder / "work" / "case.json");
 }
 
 }  // namespace validate

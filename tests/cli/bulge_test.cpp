@@ -35,6 +35,18 @@ TEST(Bulge, WritesNumbersFieldsAndPictures) {
   EXPECT_FALSE(fs::exists(folder.path() / "run" / "work"));
 }
 
+TEST(Bulge, OverwriteLeavesNoSheetOfTheRunBefore) {
+  const WorkFolder folder;
+  const auto run = [&](const char* pressures, const char* more) {
+    return run_validate({"bulge", "--cells", "8", "--pressures", pressures, "--out", "run", more}, folder.path());
+  };
+  ASSERT_EQ(run("1e-3,2e-3", "--quiet").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "run" / "membrane-1.vtu"));
+  ASSERT_EQ(run("1e-3", "--overwrite").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "run" / "membrane-0.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "run" / "membrane-1.vtu"));
+}
+
 TEST(Bulge, ADiscIsHenckys) {
   const WorkFolder folder;
   const auto outcome =

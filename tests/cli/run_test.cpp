@@ -150,10 +150,23 @@ TEST(RunFolder, AFinishedRunIsReplacedOnlyWhenAskedTo) {
   EXPECT_EQ(run_validate(words, folder.path()).exit_code, 0);
   std::ofstream(folder.path() / "run" / "notes.txt") << "mine";
   expect_says(run_validate(words, folder.path()), 2, {"finished run", "--overwrite"});
-  Words again = words;
-  again.push_back("--overwrite");
+  Words again = small_run({"--models", "membrane", "--loads", "point", "--out", "run", "--overwrite"});
+  EXPECT_TRUE(fs::exists(folder.path() / "run" / "membrane-disc-card.pvd"));
   EXPECT_EQ(run_validate(again, folder.path()).exit_code, 0);
   EXPECT_TRUE(fs::exists(folder.path() / "run" / "notes.txt"));
+  for (const auto& entry : fs::directory_iterator(folder.path() / "run"))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("membrane-disc")) << entry.path();
+  EXPECT_TRUE(fs::exists(folder.path() / "run" / "membrane-point-card.pvd"));
+}
+
+TEST(RunFolder, ARunKilledBeforeItsCaseWasKeptIsStarted) {
+  for (const char* more : {"--quiet", "--resume", "--overwrite"}) {
+    const WorkFolder folder;
+    fs::create_directories(folder.path() / "run" / "work");
+    const Outcome outcome =
+        run_validate(small_run({"--models", "membrane", "--loads", "disc", "--out", "run", more}), folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
 }
 
 TEST(RunFolder, SomebodyElsesFolderIsNotTouched) {
