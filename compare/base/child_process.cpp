@@ -174,6 +174,10 @@ ChildEnd ChildProcess::wait() {
   return *end_;
 }
 
+void ChildProcess::ask_to_stop() {
+  if (!end_) ::kill(-pid_, SIGTERM);
+}
+
 ChildEnd ChildProcess::stop() {
   using namespace std::chrono_literals;
   if (end_) return *end_;

@@ -47,6 +47,8 @@ class ChildProcess {
   /// All that it writes until its end, an unfinished last line included.
   std::string read_to_end();
 
+  void ask_to_stop();
+
   /// Asks the whole group to stop, then insists. Returns when it has ended.
   ChildEnd stop();
   ChildEnd wait();

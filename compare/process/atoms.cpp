@@ -1,7 +1,6 @@
 #include "compare/process/atoms.hpp"
 
 #include <poll.h>
-#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/process/many_cases.hpp"
 
 namespace validate {
 namespace {
@@ -126,10 +126,7 @@ bool readable(const ChildProcess& child) {
 
 }  // namespace
 
-int available_cores() {
-  cpu_set_t set;
-  return ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-}
+int available_cores() { return static_cast<int>(usable_cores().size()); }
 
 std::vector<std::pair<std::string, std::string>> mpi_environment() {
   std::vector<std::pair<std::string, std::string>> variables = {{"OMPI_MCA_rmaps_base_oversubscribe", "1"},

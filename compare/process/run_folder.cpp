@@ -137,6 +137,7 @@ void RunFolder::publish() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(drafts())) names.push_back(entry.path().filename().string());
   if (names.empty()) return;
+  std::sort(names.begin(), names.end());
   for (const std::string& name : names) record_.add_file(name);
   write_record(path_, record_);  // first: a kill then leaves names without files, never files without names
   std::string failure;
