@@ -8,6 +8,7 @@
 
 #include "compare/documents/run_h5_read.hpp"
 #include "compare/documents/texts/report_html.hpp"
+#include "compare/process/run_record.hpp"
 
 namespace validate {
 namespace {
@@ -22,6 +23,7 @@ int report(const ReportFlags& flags) {
   if (fs::is_directory(file)) file /= "run.h5";
   const Result result = read_run_h5(file);
   const fs::path target = flags.out.empty() ? file.parent_path() / "report.html" : fs::path(flags.out);
+  if (flags.out.empty()) add_to_record(target);  // a page that the user names is the user's
   write_report(result, fs::absolute(file).parent_path(), fs::absolute(target));
   fmt::print("{}\n", target.string());
   return 0;

@@ -91,6 +91,13 @@ void write_record(const fs::path& folder, const RunRecord& record) {
   write_file(folder / record_name, text_of(record));
 }
 
+void add_to_record(const fs::path& file) {
+  auto record = read_record(file.parent_path());
+  if (!record) return;
+  record->add_file(file.filename().string());
+  write_record(file.parent_path(), *record);
+}
+
 void clear_run(const fs::path& folder) {
   RunRecord record = read_record(folder).value_or(RunRecord());
   if (record.exit_code) {  // from here on it is no finished run

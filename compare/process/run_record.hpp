@@ -25,6 +25,10 @@ std::optional<RunRecord> read_record(const std::filesystem::path& folder);
 /// Replaces the folder's record. Throws Error (file failed).
 void write_record(const std::filesystem::path& folder, const RunRecord& record);
 
+/// Notes a file that is about to be written later than its run, where its folder keeps a record. Throws Error (file
+/// failed).
+void add_to_record(const std::filesystem::path& file);
+
 /// Removes what the folder's record names, the runs below it included, and `work`, which no run lets anything else
 /// into. What else is there is the user's and stays, with an empty record beside it. A kill on the way leaves
 /// everything that is still there in the record. Throws Error (file failed).

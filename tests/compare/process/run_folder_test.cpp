@@ -215,6 +215,19 @@ TEST(RunFolder, ABatchIsClearedWithTheRunsBelowIt) {
   EXPECT_TRUE(fs::exists(batch / "mine" / "work" / "deep")) << "no run of this program";
 }
 
+TEST(RunFolder, KnowsWhatIsWrittenAfterItsRun) {
+  const TemporaryFolder parent;
+  const fs::path out = parent / "run";
+  run(out, {"summary.json"}, Asked::plain, ExitCode::disagreement);
+  add_to_record(out / "report.html");
+  put(out / "report.html", "a page");
+  EXPECT_EQ(finished_exit_code(out), 3);
+  run(out, {"summary.json"}, Asked::overwrite);
+  EXPECT_EQ(entries(out), Names{"summary.json"});
+  add_to_record(parent / "report.html");  // no run's folder
+  EXPECT_EQ(entries(parent.path()), Names{"run"});
+}
+
 TEST(RunFolder, OfAnEarlierVersionIsAFinishedRun) {
   const TemporaryFolder parent;
   fs::create_directory(parent / "run");
