@@ -16,6 +16,8 @@
 #include "compare/base/field_value.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/documents/plots/draw.hpp"
+#include "compare/documents/plots/measured_curve_plot.hpp"
 #include "compare/documents/texts/measured_report.hpp"
 #include "compare/fitting/measured_fit.hpp"
 #include "compare/potential/potential_card.hpp"
@@ -174,7 +176,8 @@ int fit(const FitFlags& flags) {
   const fs::path folder = output_folder(flags.out);
   std::set<std::string> taken;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (const auto warning = draw_measured(results[i], options[i], folder, unique_name(results[i].curve.file, taken)))
+    if (const auto warning =
+            write_plot(measured_plot(results[i], options[i]), folder, unique_name(results[i].curve.file, taken)))
       spdlog::warn("{}", *warning);
   write_document(measured_document(results, options, command_line()), (folder / "fit.json").string());
   return 0;

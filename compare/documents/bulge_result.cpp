@@ -8,7 +8,9 @@
 #include "compare/base/file.hpp"
 #include "compare/documents/bytes/vtu.hpp"
 #include "compare/documents/fields_h5.hpp"
-#include "compare/documents/plots/field_figure.hpp"
+#include "compare/documents/plots/bulge_atoms_plot.hpp"
+#include "compare/documents/plots/draw.hpp"
+#include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/texts/bulge_atoms_files.hpp"
 #include "compare/results/keys.hpp"
 #include "compare/results/result_fields.hpp"
@@ -78,13 +80,6 @@ void write_csv(const BulgeResult& result, const std::filesystem::path& folder) {
   write_file(folder / "curves.csv", "# validate bulge\n" + header + "\n" + rows);
 }
 
-std::vector<FieldPanel> panels(const BulgeResult& result) {
-  const SheetPicture& last = result.pictures.back();
-  return {{"largest principal Cauchy stress (eV/Å³)", &last, "cauchy_1_eV_per_A3"},
-          {"smallest principal Cauchy stress (eV/Å³)", &last, "cauchy_2_eV_per_A3"},
-          {"state, tension rays", &last, "state"}};
-}
-
 }  // namespace
 
 BulgePoint bulge_point(const membrane::Step& step, const SheetPicture& picture) {
@@ -131,10 +126,12 @@ void write_bulge(const BulgeResult& result, const std::filesystem::path& folder)
   write_pvd(result.pictures, folder, "membrane");
   if (result.atoms) {
     write_file(folder / "atoms.csv", bulge_atoms_csv(*result.atoms));
-    if (const auto warning = draw_bulge_atoms(*result.atoms, folder)) spdlog::warn("{}", *warning);
+    if (const auto warning = write_plot(bulge_atoms_plot(*result.atoms), folder, "atoms", "atoms-figure"))
+      spdlog::warn("{}", *warning);
   }
   if (result.pictures.empty()) return;
-  if (const auto warning = draw_fields(panels(result), folder, "figure")) spdlog::warn("{}", *warning);
+  if (const auto warning = write_plot(sheet_plot(result.pictures.back()), folder, "figure"))
+    spdlog::warn("{}", *warning);
 }
 
 std::string bulge_table(const BulgeResult& result) {

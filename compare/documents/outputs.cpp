@@ -6,7 +6,9 @@
 #include <exception>
 
 #include "compare/documents/bytes/vtu.hpp"
-#include "compare/documents/plots/figure.hpp"
+#include "compare/documents/plots/draw.hpp"
+#include "compare/documents/plots/force_depth.hpp"
+#include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/run_h5.hpp"
 #include "compare/documents/texts/curves_csv.hpp"
 #include "compare/documents/texts/summary_json.hpp"
@@ -18,11 +20,11 @@ namespace {
 using Write = void (*)(const Result&, const std::filesystem::path& folder);
 
 void figure(const Result& result, const std::filesystem::path& folder) {
-  if (const auto warning = write_figure(result, folder)) spdlog::warn("{}", *warning);
+  if (const auto warning = write_plot(force_depth_plot(result), folder, "figure")) spdlog::warn("{}", *warning);
 }
 
 void scan(const Result& result, const std::filesystem::path& folder) {
-  if (const auto warning = write_scan_figure(result, folder)) spdlog::warn("{}", *warning);
+  if (const auto warning = write_plot(window_scan_plot(result), folder, "window_scan")) spdlog::warn("{}", *warning);
 }
 
 /// membrane-<load>-<constants>.pvd and its VTU files, for every membrane whose sheet was kept.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <variant>
 
@@ -34,12 +35,21 @@ std::vector<double> times(std::vector<double> values, double factor) {
   return values;
 }
 
-FigureCurve eq16_band(double a) {
-  FigureCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", Eh_N_per_m, Eh_spread_N_per_m),
-                   .x = {},
-                   .y = {},
-                   .y_high = {},
-                   .style = "filledcurves fc rgb '#bbbbbb' fs solid 0.5 noborder"};
+/// In nm and nN.
+PlotCurve curve_of(const std::string& name, const std::vector<double>& depth_A,
+                   const std::vector<double>& force_eV_per_A, Colour colour, std::optional<Line> line) {
+  return {.name = name,
+          .x = times(depth_A, 1 / nm),
+          .y = times(force_eV_per_A, nN_per_eV_per_A),
+          .colour = colour,
+          .line = line};
+}
+
+PlotCurve eq16_band(double a) {
+  PlotCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", Eh_N_per_m, Eh_spread_N_per_m),
+                 .x = {},
+                 .y = {},
+                 .colour = Colour::grey};
   const double spread = Eh_spread_N_per_m / N_per_m_per_eV_per_A2;
   for (const double d : depths(a)) {
     band.x.push_back(d / nm);
@@ -63,28 +73,32 @@ struct Tip {
   double radius_A;
   bool sphere;
   const char* name;
-  const char* style;
+  Colour colour;
+  Line line;
 };
 
 /// A point is a disc of 1e-4 of the radius: a finer mesh changes nothing then.
 std::vector<Tip> tips(double a) {
-  return {{1e-4 * a, false, "membrane, point", "lines lc rgb '#0072B2' lw 2"},
-          {16.5 * nm, false, "membrane, disc of 16.5 nm", "lines lc rgb '#D55E00' lw 1 dt '-'"},
-          {16.5 * nm, true, "membrane, sphere of 16.5 nm", "lines lc rgb '#D55E00' lw 2"},
-          {27.5 * nm, true, "membrane, sphere of 27.5 nm", "lines lc rgb '#009E73' lw 2"}};
+  return {{1e-4 * a, false, "membrane, point", Colour::blue, {.width = 2}},
+          {16.5 * nm, false, "membrane, disc of 16.5 nm", Colour::vermilion, {.dash = Dash::dashed, .width = 1}},
+          {16.5 * nm, true, "membrane, sphere of 16.5 nm", Colour::vermilion, {.width = 2}},
+          {27.5 * nm, true, "membrane, sphere of 27.5 nm", Colour::green, {.width = 2}}};
 }
 
 struct NamedLaw {
   membrane::Law law;
   const char* name;
-  const char* style;
+  Colour colour;
+  Line line;
 };
 
 /// Laws that part from St Venant–Kirchhoff's at large strain, under the disc of 16.5 nm.
 std::vector<NamedLaw> other_laws() {
-  return {{membrane::neo_hookean(Eh, nu), "neo-Hookean, disc of 16.5 nm", "lines lc rgb '#CC79A7' lw 1.5 dt '_'"},
-          {membrane::LeeGraphene{Eh, nu}, "Lee et al.'s softening law, disc of 16.5 nm",
-           "lines lc rgb '#E69F00' lw 1.5 dt '-.'"}};
+  return {{membrane::neo_hookean(Eh, nu), "neo-Hookean, disc of 16.5 nm", Colour::purple, {.dash = Dash::long_dashed}},
+          {membrane::LeeGraphene{Eh, nu},
+           "Lee et al.'s softening law, disc of 16.5 nm",
+           Colour::orange,
+           {.dash = Dash::dash_dotted}}};
 }
 
 /// A nodal force on the paper's mesh: 44 equal rings, 1936 triangles on the quarter. Forces at the given
@@ -120,28 +134,20 @@ void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, cons
                             "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
 }
 
-FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
-  FigurePanel panel{
-      .title = fmt::format("a = {:g} µm", a / 1e4),
-      .x_label = "depth (nm)",
-      .y_label = "force (nN)",
-      .x_key = "depth_nm",
-      .y_key = "force_nN",
-      .settings = "set xrange [0:*]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',10'\n",
-      .curves = {}};
+Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
+  Panel panel{.title = fmt::format("a = {:g} µm", a / 1e4),
+              .x = {.label = "depth", .unit = "nm", .key = "depth_nm", .low = 0},
+              .y = {.label = "force", .unit = "nN", .key = "force_nN", .low = 0},
+              .legend = Legend::left_top};
   panel.curves.push_back(eq16_band(a));
-  panel.curves.push_back({"Eq. 16, averages",
-                          times(depths(a), 1 / nm),
-                          times(eq16_forces(a), nN_per_eV_per_A),
-                          {},
-                          "lines lc rgb 'black' lw 1"});
+  panel.curves.push_back(curve_of("Eq. 16, averages", depths(a), eq16_forces(a), Colour::black, Line{.width = 1}));
   const double reference_nm[] = {103.37, 97.58};
   std::vector<double> converged;  // of the point load
   int index = 0;
   for (const Tip& tip : tips(a)) {
     context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
     const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0, tip.sphere}, Eh, pretension, depths(a));
-    panel.curves.push_back({tip.name, times(depths(a), 1 / nm), times(force, nN_per_eV_per_A), {}, tip.style});
+    panel.curves.push_back(curve_of(tip.name, depths(a), force, tip.colour, tip.line));
     if (a == 5000 && index < 2)
       figure.numbers.push_back({fmt::format("a = 0.5 µm, {}: depth at 1500 nN", tip.name), "nm",
                                 "one-dimensional solver written separately", reference_nm[index],
@@ -150,11 +156,9 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
     compare_with_experiment(figure, a, tip, force);
   }
   const std::vector<double> coarse = paper_mesh_forces(a);
-  panel.curves.push_back({"membrane, point, the paper's 1936 triangles",
-                          times(depths(a), 1 / nm),
-                          times(coarse, nN_per_eV_per_A),
-                          {},
-                          "points pt 4 ps 0.7 lc rgb '#0072B2'"});
+  panel.curves.push_back(
+      curve_of("membrane, point, the paper's 1936 triangles", depths(a), coarse, Colour::blue, std::nullopt));
+  panel.curves.back().points = Points{.marker = Marker::square, .open = true};
   if (a == 5000)
     figure.numbers.push_back({"a = 0.5 µm, point on the paper's 1936 triangles: depth at 1500 nN", "nm",
                               "the converged membrane", depth_at(depths(a), converged, 1500),
@@ -167,8 +171,7 @@ FigurePanel panel(double a, PaperFigure& figure, const FigureContext& context) {
     if (!curve.ended_early.empty())
       context.progress.say(fmt::format("figure 1: {} ends at {:.3g} nm: {}", other.name,
                                        curve.depth_A.empty() ? 0 : curve.depth_A.back() / nm, curve.ended_early));
-    panel.curves.push_back(
-        {other.name, times(curve.depth_A, 1 / nm), times(curve.force_eV_per_A, nN_per_eV_per_A), {}, other.style});
+    panel.curves.push_back(curve_of(other.name, curve.depth_A, curve.force_eV_per_A, other.colour, other.line));
   }
   if (a == 5000)
     figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64,

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -23,8 +22,6 @@
 
 namespace validate {
 namespace {
-
-constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"};
 
 // The paper's sheet (its reference [30]) and shell: κ = E h³/12(1 − ν²).
 constexpr double radius_A = 110, tip_A = 10, paper_Eh = 5.864 * 1.37, paper_nu = 0.19, paper_bending_eV = 1.30;
@@ -60,8 +57,8 @@ StudyOutcome study(const std::string& potential, const FigureContext& context) {
   return outcome;
 }
 
-FigureCurve curve_of(const Run& run, const std::string& name, const std::string& style) {
-  FigureCurve curve{.name = name, .x = {}, .y = {}, .y_high = {}, .style = style};
+PlotCurve curve_of(const Run& run, const std::string& name, Colour colour, std::optional<Line> line) {
+  PlotCurve curve{.name = name, .x = {}, .y = {}, .colour = colour, .line = line};
   for (const std::size_t i : usable_points(run)) {
     curve.x.push_back(run.depth_A[i]);
     curve.y.push_back(run.force_eV_per_A[i]);
@@ -69,31 +66,26 @@ FigureCurve curve_of(const Run& run, const std::string& name, const std::string&
   return curve;
 }
 
-void add_runs(FigurePanel& point, FigurePanel& disc, const Result& result, const std::string& potential,
-              const char* colour, bool first) {
+void add_runs(Panel& point, Panel& disc, const Result& result, const std::string& potential, Colour colour,
+              bool first) {
   for (const Run& run : result.runs) {
-    FigurePanel& panel = run.load == "point" ? point : disc;
+    std::vector<PlotCurve>& curves = (run.load == "point" ? point : disc).curves;
     if (run.model == Model::atomistic)
-      panel.curves.push_back(
-          curve_of(run, potential + ", atoms", fmt::format("points pt 7 ps 0.7 lc rgb '{}'", colour)));
+      curves.push_back(curve_of(run, potential + ", atoms", colour, std::nullopt));
     else if (run.constants == Constants::card)
-      panel.curves.push_back(curve_of(run, potential + ", membrane", fmt::format("lines lw 1.5 lc rgb '{}'", colour)));
+      curves.push_back(curve_of(run, potential + ", membrane", colour, Line{}));
     else if (run.model == Model::sheet)
-      panel.curves.push_back(
-          curve_of(run, potential + ", sheet of its own law", fmt::format("lines lw 1.2 dt '.' lc rgb '{}'", colour)));
+      curves.push_back(curve_of(run, potential + ", sheet of its own law", colour, Line{Dash::dotted, 1.2}));
     else if (first && run.constants == Constants::paper)
-      panel.curves.push_back(curve_of(run, "membrane, the paper's constants", "lines lw 2 dt '-' lc rgb 'black'"));
+      curves.push_back(curve_of(run, "membrane, the paper's constants", Colour::black, Line{Dash::dashed, 2}));
   }
 }
 
-void add_ratios(FigurePanel& point, FigurePanel& disc, const Result& result, const std::string& potential,
-                const char* colour) {
+void add_ratios(Panel& point, Panel& disc, const Result& result, const std::string& potential, Colour colour) {
   for (const Comparison& c : result.comparisons) {
-    FigureCurve curve{.name = potential,
-                      .x = {},
-                      .y = {},
-                      .y_high = {},
-                      .style = fmt::format("linespoints pt 7 ps 0.6 lw 1.2 lc rgb '{}'", colour)};
+    PlotCurve curve{.name = potential, .x = {}, .y = {}, .colour = colour};
+    curve.line = Line{.width = 1.2};
+    curve.points = Points{.size = 0.6};
     for (std::size_t i = 0; i < c.depth_A.size(); ++i) {
       if (c.regime[i] == Regime::artefact) continue;
       curve.x.push_back(c.depth_relative[i]);
@@ -103,21 +95,22 @@ void add_ratios(FigurePanel& point, FigurePanel& disc, const Result& result, con
   }
 }
 
-void add_plates(FigurePanel& panel, const Result& result, double tip) {
-  const auto add = [&](const std::string& name, const std::vector<double>& force, const char* style) {
-    panel.curves.push_back({name, plate_depths(), force, {}, style});
+void add_plates(Panel& panel, const Result& result, double tip) {
+  const auto add = [&](const std::string& name, const std::vector<double>& force, Colour colour, Line line) {
+    panel.curves.push_back({.name = name, .x = plate_depths(), .y = force, .colour = colour, .line = line});
   };
   const CardSummary& card = *result.card;
   const double a = result.sheet->effective_radius_A;
   const double thin = card.Eh_eV_per_A2 * std::pow(duan_wang_thickness_A, 2) / (12 * (1 - card.nu * card.nu));
-  add("plate, card's κ", plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip),
-      "lines lw 1.2 dt '.' lc rgb '#555555'");
-  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), "lines lw 1.2 dt '_' lc rgb '#555555'");
-  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper_Eh, paper_nu, paper_bending_eV, tip),
-      "lines lw 1.2 dt '-.' lc rgb '#999999'");
+  add("plate, card's κ", plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip), Colour::dark_grey,
+      {Dash::dotted, 1.2});
+  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), Colour::dark_grey,
+      {Dash::long_dashed, 1.2});
+  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper_Eh, paper_nu, paper_bending_eV, tip), Colour::grey,
+      {Dash::dash_dotted, 1.2});
   std::vector<double> eq16;
   for (const double d : plate_depths()) eq16.push_back(Eq16{radius_A, paper_nu}.force(d, paper_Eh, 0));
-  add("Eq. 16, the paper's constants", eq16, "lines lw 0.8 lc rgb 'black'");
+  add("Eq. 16, the paper's constants", eq16, Colour::black, {.width = 0.8});
 }
 
 void add_numbers(PaperFigure& figure) {
@@ -147,25 +140,19 @@ void add_moduli(PaperFigure& figure, const Result& result, const std::string& po
                             "the paper's constants were fitted to an older molecular-mechanics curve"});
 }
 
-FigurePanel force_panel(const char* title) {
-  return {title,
-          "depth (Å)",
-          "force (eV/Å)",
-          "depth_A",
-          "force_eV_per_A",
-          "set xrange [0:25]\nset yrange [0:*]\nset key inside left top Left reverse samplen 2 font ',9'\n",
-          {}};
+Panel force_panel(const char* title) {
+  return {.title = title,
+          .x = {.label = "depth", .unit = "Å", .key = "depth_A", .low = 0, .high = 25},
+          .y = {.label = "force", .unit = "eV/Å", .key = "force_eV_per_A", .low = 0},
+          .legend = Legend::left_top};
 }
 
-FigurePanel ratio_panel(const std::string& load) {
-  return {"atoms over membrane, " + load,
-          "depth / effective radius",
-          "force ratio",
-          "depth_relative",
-          "force_ratio",
-          "set xrange [0:0.25]\nset yrange [0.8:1.5]\nset key inside right top Left reverse samplen 2 font ',9'\n"
-          "set arrow from 0,1 to 0.25,1 nohead lc rgb 'black' lw 0.6\n",
-          {}};
+Panel ratio_panel(const std::string& load) {
+  return {.title = "atoms over membrane, " + load,
+          .x = {.label = "depth / effective radius", .unit = {}, .key = "depth_relative", .low = 0, .high = 0.25},
+          .y = {.label = "force ratio", .unit = {}, .key = "force_ratio", .low = 0.8, .high = 1.5},
+          .legend = Legend::right_top,
+          .marks = {{.along = Along::y, .at = 1}}};
 }
 
 }  // namespace
@@ -173,14 +160,14 @@ FigurePanel ratio_panel(const std::string& load) {
 PaperFigure figure2(const FigureContext& context) {
   PaperFigure figure{
       .number = 2, .title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16", .panels = {}, .numbers = {}};
-  FigurePanel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
-  FigurePanel point_ratio = ratio_panel("point"), disc_ratio = ratio_panel("disc");
+  Panel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
+  Panel point_ratio = ratio_panel("point"), disc_ratio = ratio_panel("disc");
   for (std::size_t i = 0; i < context.potentials.size(); ++i) {
     const std::string& potential = context.potentials[i];
     const std::string name = std::filesystem::path(potential).stem().string();
     const StudyOutcome outcome = study(potential, context);
-    add_runs(point, disc, outcome.result, name, colours[i % colours.size()], i == 0);
-    add_ratios(point_ratio, disc_ratio, outcome.result, name, colours[i % colours.size()]);
+    add_runs(point, disc, outcome.result, name, nth_colour(i), i == 0);
+    add_ratios(point_ratio, disc_ratio, outcome.result, name, nth_colour(i));
     add_moduli(figure, outcome.result, name);
     if (i == 0) {
       add_plates(point, outcome.result, 0);

@@ -65,10 +65,10 @@ double largest(const std::vector<TriangleStress>& field) {
   return std::ranges::max_element(field, {}, &TriangleStress::larger_eV_per_A3)->larger_eV_per_A3;
 }
 
-FigureField map_of(const std::string& name, const std::vector<TriangleStress>& field) {
-  FigureField map{.name = name, .key = "larger_principal_stress_eV_per_A3", .corners_A = {}, .value = {}};
+TriangleMap map_of(const std::string& name, const std::vector<TriangleStress>& field) {
+  TriangleMap map{.name = name, .key = "larger_principal_stress_eV_per_A3", .corners = {}, .value = {}};
   for (const TriangleStress& t : field) {
-    map.corners_A.push_back(t.corners_A);
+    map.corners.push_back(t.corners_A);
     map.value.push_back(t.larger_eV_per_A3);
   }
   return map;
@@ -79,16 +79,12 @@ void add(PaperFigure& figure, const char* name, const membrane::Load& load, cons
   const double force = force_for_the_rim(load);
   const membrane::Problem problem = problem_of(load, {force / 8, force / 3, force});
   const std::vector<TriangleStress> field = fields(problem).back();
-  FigurePanel panel{.title = fmt::format("{}, F = {:.2f} eV/Å", name, force),
-                    .x_label = "x (Å)",
-                    .y_label = "y (Å)",
-                    .x_key = "x_A",
-                    .y_key = "y_A",
-                    .settings = fmt::format("set xrange [0:112]\nset yrange [0:112]\nset cbrange "
-                                            "[{}:{}]\nset cblabel 'larger principal Cauchy stress (eV/Å³)'\n",
-                                            rim_stress, tip_stress),
-                    .curves = {},
-                    .fields = {map_of(name, field)}};
+  Panel panel{.title = fmt::format("{}, F = {:.2f} eV/Å", name, force),
+              .x = {.label = "x", .unit = "Å", .key = "x_A", .low = 0, .high = 112},
+              .y = {.label = "y", .unit = "Å", .key = "y_A", .low = 0, .high = 112},
+              .equal_axes = true,
+              .maps = {map_of(name, field)},
+              .scale = {.label = "eV/Å³", .low = rim_stress, .high = tip_stress}};
   figure.panels.push_back(std::move(panel));
   const double tip = largest(field);
   const bool reproduces = std::abs(tip / tip_stress - 1) < 0.2;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/figures/square.hpp"
 #include "compare/figures/square_of_atoms.hpp"
@@ -26,10 +27,9 @@ membrane::Problem paper_problem() {
 
 /// Short strokes along the larger stress in wrinkled triangles, every few of them: the rays of the tension
 /// field.
-FigureCurve rays(const Square& square) {
+PlotCurve rays(const Square& square) {
   constexpr double length_A = 5, spacing_A = 8;
-  FigureCurve curve{
-      .name = "tension rays", .x = {}, .y = {}, .y_high = {}, .style = "lines lc rgb 'black' lw 0.7", .broken = true};
+  PlotCurve curve{.name = "tension rays", .x = {}, .y = {}, .line = Line{.width = 0.7}, .strokes = true};
   std::vector<Eigen::Vector2d> drawn;
   for (const TriangleStress& t : square.field) {
     if (t.state != membrane::SheetState::wrinkled) continue;
@@ -69,15 +69,15 @@ PaperFigure figure4(const FigureContext& context) {
                      .numbers = {}};
   figure.panels.push_back(square_panel("smaller principal Cauchy stress", "eV/Å³", "smaller_principal_stress_eV_per_A3",
                                        square, [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
-  figure.panels.back().settings += "set cbrange [0:0.045]\n";  // the paper's
+  figure.panels.back().scale.low = 0, figure.panels.back().scale.high = 0.045;  // the paper's
   figure.panels.push_back(square_panel("larger principal Cauchy stress", "eV/Å³", "larger_principal_stress_eV_per_A3",
                                        square, [](const TriangleStress& t) { return t.larger_eV_per_A3; }));
+  figure.panels.back().scale.low = 0;
   figure.panels.push_back(square_panel("states and tension rays", "", "state", square, [](const TriangleStress& t) {
     return t.state == membrane::SheetState::slack ? 0.0 : t.state == membrane::SheetState::wrinkled ? 1.0 : 2.0;
   }));
-  figure.panels.back().settings +=
-      "set cbrange [-0.5:2.5]\nset cbtics ('slack' 0, 'wrinkled' 1, 'taut' 2)\nset palette defined (0 "
-      "'#dddddd', 1 '#E69F00', 2 '#56B4E9') maxcolors 3\n";
+  figure.panels.back().scale = scale_of_states();
+  std::ranges::reverse(figure.panels.back().scale.classes);  // from slack to taut, as the stress grows
   figure.panels.back().curves.push_back(rays(square));
   add_numbers(figure, square);
   if (context.atoms) add_square_of_atoms(figure, context);

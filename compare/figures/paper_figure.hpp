@@ -1,39 +1,14 @@
 // A figure of the paper as data: curves in panels, and the numbers to compare with.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "compare/base/progress.hpp"
+#include "compare/documents/plots/plot.hpp"
 
 namespace validate {
-
-struct FigureCurve {
-  std::string name;  ///< in the legend and in the data files
-  std::vector<double> x, y;
-  std::vector<double> y_high;  ///< with it a band from y to y_high
-  std::string style;           ///< gnuplot's, behind "with"
-  bool broken = false;         ///< strokes: every two points are a line of their own
-};
-
-/// A value per triangle, drawn as a map over the reference.
-struct FigureField {
-  std::string name, key;  ///< key: name with unit for the data files
-  std::vector<std::array<Eigen::Vector2d, 3>> corners_A;
-  std::vector<double> value;
-};
-
-struct FigurePanel {
-  std::string title, x_label, y_label;
-  std::string x_key, y_key;  ///< names with units for the data files: depth_nm, force_nN
-  std::string settings;      ///< more gnuplot settings: ranges, objects
-  std::vector<FigureCurve> curves;
-  std::vector<FigureField> fields = {};  ///< at most one is drawn, the curves over it
-};
 
 /// A published number, or one computed with codes written separately, beside ours.
 struct FigureNumber {
@@ -49,7 +24,7 @@ bool passes(const FigureNumber& number);
 struct PaperFigure {
   int number = 0;
   std::string title;
-  std::vector<FigurePanel> panels;
+  std::vector<Panel> panels;  ///< two to a row
   std::vector<FigureNumber> numbers;
   std::vector<std::string> remarks = {};  ///< what the numbers alone do not say
 };
@@ -75,6 +50,9 @@ struct FigureEntry {
   PaperFigure (*make)(const FigureContext&);
 };
 const std::vector<FigureEntry>& paper_figures();
+
+/// What is drawn of it.
+Plot plot_of(const PaperFigure& figure);
 
 /// The numbers as a table.
 std::string numbers_text(const PaperFigure& figure);

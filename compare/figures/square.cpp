@@ -7,8 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "compare/documents/plots/sheet_maps.hpp"
+
 namespace validate {
 namespace {
+
+constexpr double half_side_A = 110;  // the paper's
 
 /// How far the middle of an edge has moved inwards, at most.
 double pull_in(const membrane::Mesh& mesh, const Eigen::VectorXd& u) {
@@ -51,9 +55,10 @@ Square solve_square(const membrane::Problem& problem, double thickness_A) {
   return square;
 }
 
-FigureCurve wrinkled_outline(const Square& square) {
-  FigureCurve curve{
-      .name = "wrinkled zone", .x = {}, .y = {}, .y_high = {}, .style = "lines lc rgb 'white' lw 1", .broken = true};
+PlotCurve wrinkled_outline(const Square& square) {
+  PlotCurve curve{.name = "wrinkled zone", .x = {}, .y = {}, .colour = Colour::white};
+  curve.line = Line{.width = 1};
+  curve.strokes = true;
   std::map<std::pair<int, int>, int> wrinkled_sides;  // how many wrinkled triangles a side has
   for (std::size_t i = 0; i < square.field.size(); ++i) {
     if (square.field[i].state != membrane::SheetState::wrinkled) continue;
@@ -71,26 +76,21 @@ FigureCurve wrinkled_outline(const Square& square) {
   return curve;
 }
 
-FigurePanel square_panel(const std::string& title, const char* label) {
-  return {.title = title,
-          .x_label = "x (Å)",
-          .y_label = "y (Å)",
-          .x_key = "x_A",
-          .y_key = "y_A",
-          .settings = fmt::format("set xrange [-112:112]\nset yrange [-112:112]\nset cblabel '{}'\n", label),
-          .curves = {},
-          .fields = {}};
+Panel square_panel(const std::string& title, const char* label) {
+  Panel panel = seen_from_above(title, half_side_A);
+  panel.scale.label = label;
+  return panel;
 }
 
-FigurePanel square_panel(const std::string& title, const char* label, const char* key, const Square& square,
-                         double (*value)(const TriangleStress&)) {
-  FigurePanel p = square_panel(title, label);
-  FigureField map{.name = title, .key = key, .corners_A = {}, .value = {}};
+Panel square_panel(const std::string& title, const char* label, const char* key, const Square& square,
+                   double (*value)(const TriangleStress&)) {
+  Panel p = square_panel(title, label);
+  TriangleMap map{.name = title, .key = key, .corners = {}, .value = {}};
   for (const TriangleStress& t : square.field) {
-    map.corners_A.push_back(t.corners_A);
+    map.corners.push_back(t.corners_A);
     map.value.push_back(value(t));
   }
-  p.fields.push_back(std::move(map));
+  p.maps.push_back(std::move(map));
   p.curves.push_back(wrinkled_outline(square));
   return p;
 }

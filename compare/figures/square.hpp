@@ -22,13 +22,13 @@ struct Square {
 Square solve_square(const membrane::Problem& problem, double thickness_A);
 
 /// The sides between a wrinkled triangle and one that is not, and those of wrinkled triangles on the edge of the sheet.
-FigureCurve wrinkled_outline(const Square& square);
+PlotCurve wrinkled_outline(const Square& square);
 
 /// A map's panel without its field.
-FigurePanel square_panel(const std::string& title, const char* label);
+Panel square_panel(const std::string& title, const char* label);
 
 /// A map of the triangles' values with the outline of the wrinkled zone.
-FigurePanel square_panel(const std::string& title, const char* label, const char* key, const Square& square,
-                         double (*value)(const TriangleStress&));
+Panel square_panel(const std::string& title, const char* label, const char* key, const Square& square,
+                   double (*value)(const TriangleStress&));
 
 }  // namespace validate

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "compare/base/paths.hpp"
+#include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/figures/square.hpp"
 #include "compare/figures/square_search.hpp"
 #include "compare/figures/undulation.hpp"
@@ -39,38 +40,32 @@ const TriangleStress& nearest(const Square& membrane, const Eigen::Vector2d& pla
   });
 }
 
-FigurePanel virial_panel(const std::string& title, const std::vector<VirialCell>& field, const Square& membrane) {
-  FigurePanel panel = square_panel(title, "eV/Å²");
-  FigureField map{.name = title, .key = "smaller_principal_force_eV_per_A2", .corners_A = {}, .value = {}};
+Panel virial_panel(const std::string& title, const std::vector<VirialCell>& field, const Square& membrane) {
+  Panel panel = square_panel(title, "eV/Å²");
+  TriangleMap map{.name = title, .key = "smaller_principal_force_eV_per_A2", .corners = {}, .value = {}};
   for (const VirialCell& cell : field)
     for (const int third : {2, 3}) {
-      map.corners_A.push_back({cell.corners_A[0], cell.corners_A[third - 1], cell.corners_A[third]});
+      map.corners.push_back({cell.corners_A[0], cell.corners_A[third - 1], cell.corners_A[third]});
       map.value.push_back(cell.smaller_eV_per_A2);
     }
-  panel.fields.push_back(std::move(map));
+  panel.maps.push_back(std::move(map));
   panel.curves.push_back(wrinkled_outline(membrane));
   return panel;
 }
 
 /// Where the four sides are in their plane: folds show as notches.
-FigurePanel edges_panel(const std::string& name, const BulgePair& pair, const Found& found, const Square& membrane) {
-  FigurePanel panel{
-      .title = "sides, seen from above",
-      .x_label = "x (Å)",
-      .y_label = "y (Å)",
-      .x_key = "x_A",
-      .y_key = "y_A",
-      .settings = "set size ratio -1\nset xrange [-122:122]\nset yrange [-122:122]\nset key at 0,0 center\n",
-      .curves = {}};
-  FigureCurve atoms{
-      .name = name + ", atoms", .x = {}, .y = {}, .y_high = {}, .style = "points pt 7 ps 0.25 lc rgb '#D55E00'"};
+Panel edges_panel(const std::string& name, const BulgePair& pair, const Found& found, const Square& membrane) {
+  Panel panel = seen_from_above("sides, seen from above", 120);
+  panel.legend = Legend::centre;
+  PlotCurve atoms{.name = name + ", atoms", .x = {}, .y = {}, .colour = colour_of_atoms};
+  atoms.points = Points{.size = 0.25};
   for (int i = 0; i < pair.sheet.free_atoms; ++i) {
     if (!pair.sheet.slides[static_cast<std::size_t>(i)]) continue;
     atoms.x.push_back(found.step.positions[3 * i]);
     atoms.y.push_back(found.step.positions[3 * i + 1]);
   }
-  FigureCurve continuum{
-      .name = "membrane", .x = {}, .y = {}, .y_high = {}, .style = "points pt 6 ps 0.35 lc rgb '#0072B2'"};
+  PlotCurve continuum{.name = "membrane", .x = {}, .y = {}, .colour = colour_of_membrane};
+  continuum.points = Points{.size = 0.35, .open = true};
   for (const auto& [edge, nodes] : membrane.mesh.edges)
     for (const int n : nodes) {
       continuum.x.push_back(membrane.mesh.nodes[static_cast<std::size_t>(n)].x() + membrane.displacements_A[3 * n]);
@@ -118,24 +113,20 @@ Profile along_side(const BulgePair& pair, const Eigen::VectorXd& positions, int 
 }
 
 constexpr std::array side_names = {"right", "top", "left", "bottom"};
-constexpr std::array side_colours = {"#D55E00", "#0072B2", "#009E73", "#CC79A7"};
 
-FigurePanel sides_panel(const BulgePair& pair, const Found& found) {
-  FigurePanel panel{.title = fmt::format("atoms along the sides, {:g} Å inside: out of the mean plane there", line_A),
-                    .x_label = "place along the side in the flat sheet (Å)",
-                    .y_label = "along the mean normal (Å)",
-                    .x_key = "place_A",
-                    .y_key = "out_of_plane_A",
-                    .settings = "set size noratio\nset xrange [-112:112]\nset key inside top right\n",
-                    .curves = {}};
-  for (int side = 0; side < 4; ++side) {
-    const Profile line = along_side(pair, found.step.positions, side);
-    panel.curves.push_back(
-        {.name = side_names[static_cast<std::size_t>(side)],
-         .x = line.x_A,
-         .y = line.z_A,
-         .y_high = {},
-         .style = fmt::format("lines lw 1.2 lc rgb '{}'", side_colours[static_cast<std::size_t>(side)])});
+Panel sides_panel(const BulgePair& pair, const Found& found) {
+  Panel panel{.title = fmt::format("atoms along the sides, {:g} Å inside: out of the mean plane there", line_A),
+              .x = {.label = "place along the side in the flat sheet", .unit = "Å", .key = "place_A"},
+              .y = {.label = "along the mean normal", .unit = "Å", .key = "out_of_plane_A"},
+              .legend = Legend::right_top};
+  panel.x.low = -112, panel.x.high = 112;
+  for (std::size_t side = 0; side < side_names.size(); ++side) {
+    const Profile line = along_side(pair, found.step.positions, static_cast<int>(side));
+    panel.curves.push_back({.name = side_names[side],
+                            .x = line.x_A,
+                            .y = line.z_A,
+                            .colour = nth_colour(side),
+                            .line = Line{.width = 1.2}});
   }
   return panel;
 }
@@ -265,13 +256,13 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   const std::vector<Found> all = search_states(pair, pressure_eV_per_A3, launch, context);
   const std::vector<VirialCell> field = virial_field(pair.sheet, all.front().step, cells);
   const double most = std::ranges::max(membrane.field, {}, &TriangleStress::smaller_eV_per_A3).smaller_eV_per_A3;
-  const std::string range = fmt::format("set cbrange [{:.4f}:{:.4f}]\n", -0.2 * most, 1.1 * most);
   figure.panels.push_back(square_panel(fmt::format("membrane, {}'s E·h and ν: smaller principal force", name), "eV/Å²",
                                        "smaller_principal_force_eV_per_A2", membrane,
                                        [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
   figure.panels.push_back(
       virial_panel(fmt::format("{}'s atoms: smaller principal force, by virials", name), field, membrane));
-  for (std::size_t p = figure.panels.size() - 2; p < figure.panels.size(); ++p) figure.panels[p].settings += range;
+  for (Panel* panel : {&figure.panels.back(), &figure.panels.back() - 1})
+    panel->scale.low = -0.2 * most, panel->scale.high = 1.1 * most;
   figure.panels.push_back(edges_panel(name, pair, all.front(), membrane));
   figure.panels.push_back(sides_panel(pair, all.front()));
   add_numbers(figure, name, pair, all.front(), membrane, field);

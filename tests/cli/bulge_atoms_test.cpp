@@ -44,7 +44,8 @@ TEST(BulgeAtoms, AClampedDiscApproachesItsMembrane) {
     before = ratio;
   }
   EXPECT_GT(before, 0.95);
-  for (const char* name : {"atoms.csv", "atoms.svg", "atoms.png", "atoms-pressure.extxyz", "lammps.log"})
+  for (const char* name :
+       {"atoms.csv", "atoms.svg", "atoms.png", "atoms-figure.csv", "atoms-pressure.extxyz", "lammps.log"})
     EXPECT_GT(fs::file_size(folder.path() / "run" / name), 100u) << name;
   EXPECT_NE(outcome.out.find("atoms' depth"), std::string::npos);
 }

@@ -29,8 +29,8 @@ TEST(Bulge, WritesNumbersFieldsAndPictures) {
   EXPECT_GE(limit, 0.0441);
   EXPECT_LE(limit, 0.0447);
   EXPECT_TRUE(document["case"].contains("E_eV_per_A3"));
-  for (const char* name :
-       {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "membrane.pvd", "membrane-0.vtu"})
+  for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "figure.csv",
+                           "membrane.pvd", "membrane-0.vtu"})
     EXPECT_GT(fs::file_size(folder.path() / "run" / name), 100u) << name;
   EXPECT_FALSE(fs::exists(folder.path() / "run" / "work"));
 }

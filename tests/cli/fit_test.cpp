@@ -37,7 +37,8 @@ TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
   }
   EXPECT_LT(document["curves"][2]["fit"]["pretension_N_per_m"].get<double>(),
             0.01);  // hardly any, or the wrong sign
-  for (const char* name : {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-007.svg"})
+  for (const char* name :
+       {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-034.csv", "fit-synthetic-007.svg"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 

@@ -16,6 +16,6 @@ code=0
   --out run || code=$?
 [ "$code" -eq 0 ] || [ "$code" -eq 3 ] || { echo "the installed program ended with $code" >&2; exit 1; }
 "$validate_document" "$folder/prefix/share/validate/summary.schema.json" run/summary.json
-for file in run.h5 curves.csv figure.svg figure.png lammps.log atoms-disc.extxyz; do
+for file in run.h5 curves.csv figure.svg figure.png figure.csv lammps.log atoms-disc.extxyz; do
   [ -s "run/$file" ] || { echo "run/$file is missing or empty" >&2; exit 1; }
 done

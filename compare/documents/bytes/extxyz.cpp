@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "compare/base/file.hpp"
@@ -52,5 +55,23 @@ std::string extxyz(const Snapshot& sheet) {
 }
 
 void write_extxyz(const Snapshot& sheet, const std::filesystem::path& file) { write_file(file, extxyz(sheet)); }
+
+std::vector<AtomFromAbove> read_free_atoms(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::vector<AtomFromAbove> atoms;
+  std::string line;
+  std::getline(in, line);  // how many
+  std::getline(in, line);  // what the columns are
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    std::string species;
+    std::array<double, 7> number{};
+    int clamped = 0;
+    cells >> species;
+    for (double& n : number) cells >> n;
+    if (cells >> clamped; cells && clamped == 0) atoms.push_back({number[0], number[1], number[6]});
+  }
+  return atoms;
+}
 
 }  // namespace validate

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace validate {
 
@@ -25,5 +26,13 @@ std::string extxyz(const Snapshot& sheet);
 
 /// Writes `extxyz` atomically; throws Error (file failed).
 void write_extxyz(const Snapshot& sheet, const std::filesystem::path& file);
+
+/// An atom as a picture from above needs it.
+struct AtomFromAbove {
+  double x_A = 0, y_A = 0, longest_bond_A = 0;
+};
+
+/// The free atoms of such a file; none where there is no file. Lines that are no atom's are passed over.
+std::vector<AtomFromAbove> read_free_atoms(const std::filesystem::path& file);
 
 }  // namespace validate

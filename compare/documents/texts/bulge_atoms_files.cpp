@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/documents/plots/figure.hpp"
 #include "compare/results/keys.hpp"
 #include "compare/results/result_fields.hpp"
 
@@ -24,38 +23,6 @@ Json object_of(const Struct& s) {
   Json object = Json::object();
   describe_with_twins(s, [&](const Field& field, const auto& value) { object[key(field)] = json_of(value); });
   return object;
-}
-
-std::string block(const char* name, const std::vector<double>& x, const std::vector<double>& y) {
-  std::string text = fmt::format("${} << EOD\n", name);
-  for (std::size_t i = 0; i < x.size(); ++i) fmt::format_to(std::back_inserter(text), "{:.6g} {:.6g}\n", x[i], y[i]);
-  return text + "EOD\n";
-}
-
-/// Depth against pressure, both logarithmic: a membrane's is a line of slope 1/3.
-std::string curve_commands(const BulgeAtoms& atoms) {
-  std::vector<double> pressure, depth, membrane;
-  for (const BulgeAtomsPoint& p : atoms.points) {
-    if (!std::isfinite(p.membrane_depth_A)) continue;
-    pressure.push_back(p.pressure_eV_per_A3);
-    depth.push_back(p.depth_A);
-    membrane.push_back(p.membrane_depth_A);
-  }
-  return block("atoms", pressure, depth) + block("membrane", pressure, membrane) +
-         "set title 'depth of the centre'\nset logscale xy\nset format x '%.1te%T'\nset xlabel 'pressure (eV/Å³)'\n"
-         "set ylabel 'depth (Å)'\nset xrange [*:*] noextend\nset key left top Left reverse\n"
-         "plot $membrane with lines lw 1.5 lc rgb '#0072B2' title 'membrane', "
-         "$atoms with points pt 7 ps 0.8 lc rgb '#D55E00' title 'atoms'\n"
-         "unset logscale\nset format x '%g'\n";
-}
-
-std::string profile_commands(const BulgeAtoms& atoms) {
-  return block("atoms_profile", atoms.atoms_profile.x_A, atoms.atoms_profile.z_A) +
-         block("membrane_profile", atoms.membrane_profile.x_A, atoms.membrane_profile.z_A) +
-         fmt::format("set title 'cross-section at {:.4g} eV/Å³'\n", atoms.points.back().pressure_eV_per_A3) +
-         "set autoscale\nset yrange [*:0]\nset xlabel 'x (Å)'\nset ylabel 'z (Å)'\nset key center top Left reverse\n"
-         "plot $membrane_profile with lines lw 1.5 lc rgb '#0072B2' title 'membrane', "
-         "$atoms_profile with points pt 7 ps 0.35 lc rgb '#D55E00' title 'atoms'\n";
 }
 
 }  // namespace
@@ -111,17 +78,6 @@ std::string bulge_atoms_table(const BulgeAtoms& atoms) {
   if (atoms.ended != Ended::depth_max)
     text += fmt::format("\natoms ended ({}): {}\n", to_string(atoms.ended), atoms.ended_reason);
   return text;
-}
-
-std::optional<std::string> draw_bulge_atoms(const BulgeAtoms& atoms, const std::filesystem::path& folder) {
-  if (atoms.points.empty() || atoms.membrane_profile.x_A.empty()) return std::nullopt;
-  const bool curve = atoms.points.size() > 1;
-  std::string commands =
-      fmt::format("set multiplot layout 1,{}\nset border 3\nset tics nomirror out\nset grid lc rgb '#e4e4e4' lt 1\n",
-                  curve ? 2 : 1);
-  if (curve) commands += curve_commands(atoms);
-  commands += profile_commands(atoms) + "unset multiplot\n";
-  return draw(commands, folder, "atoms", {curve ? 1000 : 700, 380});
 }
 
 }  // namespace validate

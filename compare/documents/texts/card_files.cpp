@@ -8,7 +8,8 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/units.hpp"
-#include "compare/documents/plots/gnuplot.hpp"
+#include "compare/documents/plots/draw.hpp"
+#include "compare/documents/plots/stress_strain.hpp"
 #include "compare/documents/texts/law_toml.hpp"
 #include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
@@ -124,51 +125,6 @@ std::string csv(const PotentialCard& card) {
   return text;
 }
 
-/// Solid up to the artefact length, dotted beyond.
-std::string plot_commands(const PotentialCard& card) {
-  const char* colours[] = {"#0072B2", "#D55E00", "#009E73"};
-  std::string data, plot;
-  std::size_t number = 0;
-  for (const atomistic::StressCurve& c : card.response.curves) {
-    data += fmt::format("$c{} << EOD\n", number);
-    for (std::size_t k = 0; k < c.strain.size(); ++k)
-      data += fmt::format("{} {} {}\n", 100 * c.strain[k], c.stress_eV_per_A2[k] * N_per_m_per_eV_per_A2,
-                          c.longest_bond_A[k]);
-    data += "EOD\n";
-    const double artefact = card.potential.potential.artefact_bond_A;
-    const std::string colour = fmt::format("lc rgb '{}' lw 2", colours[number % std::size(colours)]);
-    plot += fmt::format(
-        "{}$c{} using 1:($3<{} ? $2 : NaN) with lines {} title {}, $c{} using 1:2 with lines {} dt 3 notitle",
-        plot.empty() ? "plot " : ", ", number, artefact, colour, gnuplot_quoted(c.direction), number, colour);
-    ++number;
-  }
-  return fmt::format(
-      "{}set title {}\nset xlabel 'nominal strain (%)'\nset ylabel 'nominal stress (N/m)'\nset grid\nset key bottom "
-      "right\n"
-      "set xrange [0:*]\nset yrange [0:*]\n{}\n",
-      data,
-      gnuplot_quoted(fmt::format("{}: homogeneous strain at T = 0 (dotted: a bond beyond {} Å)",
-                                 card.potential.potential.name, card.potential.potential.artefact_bond_A)),
-      plot);
-}
-
-std::optional<std::string> draw(const PotentialCard& card, const std::filesystem::path& folder) {
-  PendingFile svg(folder / "stress-strain.svg"), png(folder / "stress-strain.png"),
-      script(folder / "stress-strain.gnuplot");
-  const std::string commands = plot_commands(card);
-  script.write(
-      fmt::format("set encoding utf8\nset terminal svg size 800,560 font 'DejaVu Sans,13'\nset output {}\n{}"
-                  "set terminal pngcairo size 1000,700 font 'DejaVu Sans,13'\nset output {}\n{}",
-                  gnuplot_quoted(svg.path().string()), commands, gnuplot_quoted(png.path().string()), commands));
-  const auto report = run_gnuplot(script.path());
-  if (!report) return "gnuplot is not installed: no stress-strain.svg and .png (the data are in stress-strain.csv)";
-  if (!report->succeeded)
-    throw Error(ExitCode::file_failed, "gnuplot could not draw stress-strain.svg: " + report->messages);
-  svg.commit();
-  png.commit();
-  return std::nullopt;
-}
-
 std::string curve_lines(const atomistic::StressCurve& c) {
   const auto shown = [](double eV_per_A2) { return fmt::format("{:8.1f}", eV_per_A2 * N_per_m_per_eV_per_A2); };
   return fmt::format("{:12}{}{}{}{}   {:6.1f} %  {}\n", c.direction, shown(c.secant_2_eV_per_A2),
@@ -243,7 +199,7 @@ std::optional<std::string> write_card_files(const PotentialCard& card, const std
   write_file(folder / "card.json", card_document(card).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_file(folder / "stress-strain.csv", csv(card));
   if (card.law) write_file(folder / "law.toml", law_toml(card));
-  return draw(card, folder);
+  return draw(stress_strain_plot(card), folder, "stress-strain");  // stress-strain.csv holds more than is drawn
 }
 
 }  // namespace validate

@@ -7,8 +7,6 @@
 #include <iterator>
 
 #include "compare/base/units.hpp"
-#include "compare/documents/plots/figure.hpp"
-#include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/texts/summary_json.hpp"
 #include "compare/fitting/fit_intervals.hpp"
 
@@ -113,98 +111,6 @@ nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& resu
     document["curves"].push_back(std::move(curve));
   }
   return document;
-}
-
-namespace {
-
-std::string block(const char* name, const std::vector<double>& x, const std::vector<double>& y, double x_factor,
-                  double y_factor) {
-  std::vector<std::size_t> order(std::min(x.size(), y.size()));
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::sort(order, {}, [&](std::size_t i) { return x[i]; });
-  std::string text = fmt::format("${} << EOD\n", name);
-  for (const std::size_t i : order)
-    fmt::format_to(std::back_inserter(text), "{} {}\n", x_factor * x[i], y_factor * y[i]);
-  return text + "EOD\n";
-}
-
-/// The fitted closed form, offsets included, as a dense line.
-std::string model_block(const MeasuredResult& result, const MeasuredOptions& options) {
-  const Fit& fit = result.fit;
-  const AnyCurveModel model = with_offsets(closed_form(options.model, "--model").make(options.geometry),
-                                           fit.depth_offset_A.has_value(), fit.force_offset_eV_per_A.has_value());
-  std::vector<double> parameters = {fit.Eh_eV_per_A2, fit.pretension_eV_per_A2};
-  if (fit.depth_offset_A) parameters.push_back(*fit.depth_offset_A);
-  if (fit.force_offset_eV_per_A) parameters.push_back(*fit.force_offset_eV_per_A);
-  std::vector<double> depth, force;
-  for (int i = 1; i <= 200; ++i) {
-    depth.push_back(fit.window_A[1] * i / 200);
-    force.push_back(model.value(depth.back(), parameters));
-  }
-  return block("model", depth, force, 0.1, nN_per_eV_per_A);
-}
-
-std::vector<double> lifted(std::vector<double> force, const Fit& fit) {
-  for (double& f : force) f += fit.force_offset_eV_per_A.value_or(0);
-  return force;
-}
-
-std::string scan_block(const MeasuredResult& result) {
-  std::string text = "$scan << EOD\n";
-  for (std::size_t i = 0; i < result.scan.depth_max_A.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{} {} {}\n", result.scan.depth_max_A[i] / 10,
-                   in_N_per_m(result.scan.Eh_eV_per_A2[i]), in_N_per_m(result.scan.pretension_eV_per_A2[i]));
-  return text + "EOD\n";
-}
-
-/// E·h and pretension go to very different values in short windows: the panels show the fitted value ± 30 %,
-/// or 8 errors.
-std::string around(double value, double error) {
-  const double reach = std::max(0.3 * std::abs(value), 8 * error);
-  return fmt::format("[{}:{}]", in_N_per_m(value - reach), in_N_per_m(value + reach));
-}
-
-}  // namespace
-
-std::optional<std::string> draw_measured(const MeasuredResult& result, const MeasuredOptions& options,
-                                         const std::filesystem::path& folder, const std::string& name) {
-  const Fit& fit = result.fit;
-  const bool direct = fit.direct.has_value();
-  std::string text =
-      block("data", result.depth_A, result.force_eV_per_A, 0.1, nN_per_eV_per_A) + model_block(result, options) +
-      block("residual", fit.fitted_depth_A, fit.residual_eV_per_A, 0.1, nN_per_eV_per_A) + scan_block(result);
-  if (direct)
-    text += block("membrane", result.direct_depth_A, lifted(result.direct_force_eV_per_A, fit), 0.1, nN_per_eV_per_A);
-  text += fmt::format(
-      "set multiplot layout 2,2 title {}\n"
-      "set border 3 lw 1\nset tics nomirror out\nset grid lc rgb '#e4e4e4' lw 1 lt 1\n"
-      "set xlabel 'depth (nm)'\nset xrange [0:*]\n"
-      "set key inside left top Left reverse samplen 2 font ',10'\n"
-      "set ylabel 'force (nN)'\n"
-      "plot $data using 1:2 with points pt 7 ps 0.5 lc rgb '#777777' title 'data', \\\n"
-      "     $model using 1:2 with lines lw 1.5 lc rgb '#0072B2' title {}{}\n"
-      "set ylabel 'residual (nN)'\n"
-      "plot $residual using 1:2 with points pt 7 ps 0.5 lc rgb '#0072B2' title {}{}, 0 with lines lc rgb "
-      "'black' lw 0.6 notitle\n",
-      gnuplot_quoted(result.curve.file.filename().string()), gnuplot_quoted(options.model),
-      direct ? ", \\\n     $membrane using 1:2 with lines lw 1.5 dt '-' lc rgb '#D55E00' title 'membrane itself'" : "",
-      gnuplot_quoted("data − " + options.model), "");
-  text += fmt::format(
-      "set xlabel 'largest depth fitted (nm)'\nset ylabel 'E·h (N/m)'\nset yrange {}\n"
-      "plot $scan using 1:2 with linespoints pt 7 ps 0.5 lc rgb '#0072B2' title {}{}\n"
-      "set ylabel 'pretension (N/m)'\nset yrange {}\n"
-      "plot $scan using 1:3 with linespoints pt 7 ps 0.5 lc rgb '#0072B2' title {}{}\nunset multiplot\n",
-      around(fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2), gnuplot_quoted(options.model),
-      direct ? fmt::format(", {} with lines lw 1.5 dt '-' lc rgb '#D55E00' title 'membrane itself'",
-                           in_N_per_m(fit.direct->Eh_eV_per_A2))
-             : "",
-      around(fit.pretension_eV_per_A2,
-             std::max(fit.pretension_stderr_eV_per_A2, std::abs(fit.pretension_eV_per_A2) / 10)),
-      gnuplot_quoted(options.model),
-      direct ? fmt::format(", {} with lines lw 1.5 dt '-' lc rgb '#D55E00' title 'membrane itself'",
-                           in_N_per_m(fit.direct->pretension_eV_per_A2))
-             : "");
-  return draw(text, folder, name, {1000, 760});
 }
 
 }  // namespace validate

@@ -1,9 +1,7 @@
-// What `validate fit` prints, draws and writes.
+// What `validate fit` prints and writes.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +15,5 @@ std::string measured_text(const MeasuredResult& result, const MeasuredOptions& o
 /// All curves of a command, each with its options; described by inputs/fit.schema.json.
 nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
                                          const std::vector<MeasuredOptions>& options, const std::string& command_line);
-
-/// fit-<name>.svg and .png: data with both fits, residuals, window scan. Returns what the user should know,
-/// if anything.
-std::optional<std::string> draw_measured(const MeasuredResult& result, const MeasuredOptions& options,
-                                         const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace validate

@@ -8,13 +8,15 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/read_file.hpp"
-#include "compare/documents/plots/explanation_text.hpp"
-#include "compare/documents/plots/fields.hpp"
-#include "compare/documents/plots/figure.hpp"
-#include "compare/documents/plots/figure_commands.hpp"
-#include "compare/documents/plots/ratio_commands.hpp"
-#include "compare/documents/plots/scan_commands.hpp"
+#include "compare/documents/bytes/extxyz.hpp"
+#include "compare/documents/plots/draw.hpp"
+#include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/plots/force_depth.hpp"
+#include "compare/documents/plots/from_above.hpp"
+#include "compare/documents/plots/ratio.hpp"
+#include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/report_html.hpp"
+#include "compare/study/round_membrane.hpp"
 
 namespace validate {
 namespace {
@@ -43,9 +45,15 @@ class ScratchFolder {
 
 struct Drawing {
   ReportFigure figure;  ///< its content is drawn
-  std::string commands;
-  DrawingSize size;
+  Plot plot;
 };
+
+/// The atoms come from the run's folder, the membrane's field is solved again.
+Plot sheets_from_above(const Result& result, const std::filesystem::path& run_folder) {
+  const std::string& load = result.resolved.judged_load;
+  return from_above_plot(load, read_free_atoms(run_folder / fmt::format("atoms-{}.extxyz", load)),
+                         deepest_round_field(result));
+}
 
 std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {
   return {
@@ -54,44 +62,39 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
         .caption =
             "Force against depth: atoms as markers (open in the artefact zone), the calibrated sheet as thick lines, "
             "membranes thin (dashed: the paper's constants), Eq. 16 black."},
-       figure_commands(result),
-       {}},
+       force_depth_plot(result)},
       {{.content = {},
         .title = "the sheet from above",
         .caption = "The deepest sheet from above: the atoms' longest bonds, and the membrane's larger "
                    "principal Cauchy "
                    "force (stress times thickness) under the same load.",
         .png = true},
-       field_commands(result, run_folder),
-       {1100, 500}},
+       sheets_from_above(result, run_folder)},
       {{.content = {},
         .title = "atoms over membrane",
         .caption = "The atoms' force over that of each continuum at equal depth (open: artefact zone). Green: the "
                    "tolerance; dotted: the judged window."},
-       ratio_commands(result),
-       {900, 480}},
+       ratio_plot(result)},
       {{.content = {},
         .title = "what a plain membrane lacks",
         .caption = "From a plain membrane (the paper's law with the card's constants, nominal radii) to the atoms, in "
                    "per cent of its force at the same depth: bars add up to the atoms' (squares)."},
-       explanation_commands(result),
-       {1000, 460}},
+       explanation_plot(result)},
       {{.content = {},
         .title = "fits against the window",
         .caption = "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A result "
                    "that moves with "
                    "the window is not one number."},
-       scan_commands(result),
-       {900, 420}}};
+       window_scan_plot(result)}};
 }
 
 std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::path& run_folder) {
   const ScratchFolder scratch;
   std::vector<ReportFigure> figures;
   for (Drawing& drawing : drawings(result, run_folder)) {
-    if (drawing.commands.empty()) continue;
+    if (drawing.plot.panels.empty()) continue;
     const std::string name = fmt::format("figure{}", figures.size());
-    draw(drawing.commands, scratch.path(), name, drawing.size);
+    draw(drawing.plot, scratch.path(), name);
     const auto file = scratch.path() / (name + (drawing.figure.png ? ".png" : ".svg"));
     if (!std::filesystem::exists(file)) continue;
     drawing.figure.content = read_file(file);

@@ -9,7 +9,7 @@
 
 #include "compare/base/units.hpp"
 #include "compare/documents/bytes/html.hpp"
-#include "compare/documents/plots/explanation_text.hpp"
+#include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/texts/summary_json.hpp"
 
 namespace validate {

@@ -13,7 +13,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/units.hpp"
-#include "compare/documents/plots/explanation_text.hpp"
+#include "compare/documents/texts/explanation_text.hpp"
 
 namespace validate {
 

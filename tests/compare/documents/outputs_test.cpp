@@ -11,11 +11,11 @@ using namespace validate;
 TEST(Outputs, WritesEveryDocument) {
   const TemporaryFolder folder;
   write_all(sample::full(), folder.path());
-  for (const char* name :
-       {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg", "window_scan.png"}) {
+  for (const char* name : {"run.h5", "curves.csv", "summary.json", "figure.svg", "figure.png", "figure.csv",
+                           "window_scan.svg", "window_scan.png", "window_scan.csv"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
-  EXPECT_EQ(folder.entries(), 7u);
+  EXPECT_EQ(folder.entries(), 9u);
 }
 
 TEST(Outputs, OneThatFailsDoesNotStopTheOthers) {
@@ -28,9 +28,9 @@ TEST(Outputs, OneThatFailsDoesNotStopTheOthers) {
     EXPECT_EQ(error.exit_code(), ExitCode::file_failed);
     EXPECT_NE(std::string(error.what()).find("run.h5"), std::string::npos);
   }
-  for (const char* name :
-       {"curves.csv", "summary.json", "figure.svg", "figure.png", "window_scan.svg", "window_scan.png"}) {
+  for (const char* name : {"curves.csv", "summary.json", "figure.svg", "figure.png", "figure.csv", "window_scan.svg",
+                           "window_scan.png", "window_scan.csv"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
-  EXPECT_EQ(folder.entries(), 7u);
+  EXPECT_EQ(folder.entries(), 9u);
 }

@@ -1,9 +1,10 @@
-// What the plain membrane lacks, as the terminal shows it and as a stacked bar.
+// What the plain membrane lacks, as stacked bars.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "compare/documents/plots/plot.hpp"
 #include "compare/results/result.hpp"
 
 namespace validate {
@@ -12,18 +13,18 @@ namespace validate {
 struct Share {
   const char* name;
   std::vector<double> Explanation::*values;
-  const char* colour;
+  Colour colour;
 };
 const std::vector<Share>& shares();
+
+/// The sum of the shares at each depth: atoms over the plain membrane, − 1.
+std::vector<double> sum_of_shares(const Explanation& explanation);
 
 /// At most eight of the depths, evenly spread, the first and the last among them.
 std::vector<std::size_t> shown_depths(std::size_t count);
 
-/// One block per load: shares in per cent of the plain membrane's force, and the atoms over each continuum. Empty
-/// without calibrated curves.
-std::string explanation_text(const Result& result);
-
-/// gnuplot commands for one panel of stacked bars per load; empty where there is nothing to explain.
-std::string explanation_commands(const Result& result);
+/// One panel a load: shares in per cent of the plain membrane's force at the shown depths, and the atoms as squares. No
+/// panel where there is nothing to explain.
+Plot explanation_plot(const Result& result);
 
 }  // namespace validate

@@ -1,4 +1,4 @@
-#include "compare/documents/plots/figure.hpp"
+#include "compare/documents/plots/draw.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "compare/base/errors.hpp"
-#include "compare/documents/plots/figure_commands.hpp"
+#include "compare/documents/plots/force_depth.hpp"
 #include "compare/documents/plots/gnuplot.hpp"
 #include "tests/compare/results/sample_result.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -18,6 +18,10 @@
 using namespace validate;
 
 namespace {
+
+std::optional<std::string> write_figure(const Result& result, const std::filesystem::path& folder) {
+  return write_plot(force_depth_plot(result), folder, "figure");
+}
 
 // PATH for the length of a test.
 class SearchPath {
@@ -59,11 +63,11 @@ int darkest(const TemporaryFolder& folder, int left, int top, int right, int bot
   return smallest;
 }
 
-TEST(Figure, DrawsBothFilesAndNothingElse) {
+TEST(Draw, MakesPicturesAndTheirDataAndNothingElse) {
   const TemporaryFolder folder;
   const auto warning = write_figure(sample::full(), folder.path());
   EXPECT_FALSE(warning) << *warning;
-  EXPECT_EQ(folder.entries(), 2u);
+  EXPECT_EQ(folder.entries(), 3u);
   const std::string png = folder.read("figure.png"), svg = folder.read("figure.svg");
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(png_size(png), (std::array{1800u, 1280u}));
@@ -73,7 +77,7 @@ TEST(Figure, DrawsBothFilesAndNothingElse) {
   }
 }
 
-TEST(Figure, ThePngHoldsText) {
+TEST(Draw, ThePngHoldsText) {
   const TemporaryFolder folder;
   write_figure(sample::full(), folder.path());
   // These strips hold nothing but the title and the axes' labels: without fonts they are blank.
@@ -83,40 +87,25 @@ TEST(Figure, ThePngHoldsText) {
   EXPECT_EQ(darkest(folder, 0, 0, 20, 20), 255);  // the corner is blank, and found to be
 }
 
-TEST(Figure, DrawsEveryKindOfResult) {
+TEST(Draw, DrawsEveryKindOfResult) {
   for (const Result& result : {sample::membrane_only(), sample::atoms_failed(), Result{}}) {
     const TemporaryFolder folder;
     EXPECT_NO_THROW(write_figure(result, folder.path()));
-    EXPECT_EQ(folder.entries(), 2u);
+    EXPECT_EQ(folder.entries(), 3u);
   }
 }
 
-TEST(Figure, DrawsAZoneWithoutASinglePointOutsideIt) {
+TEST(Draw, DrawsAZoneWithoutASinglePointOutsideIt) {
   Result torn;
   torn.runs = {sample::atomistic_run("point", 1, 0)};
   torn.runs[0].artefact.assign(torn.runs[0].depth_A.size(), true);
   torn.runs[0].converged.assign(torn.runs[0].depth_A.size(), false);
   const TemporaryFolder folder;
   EXPECT_NO_THROW(write_figure(torn, folder.path()));
-  EXPECT_EQ(folder.entries(), 2u);
+  EXPECT_EQ(folder.entries(), 3u);
 }
 
-TEST(Figure, MarksTheArtefactZoneAndOnlyThere) {
-  const std::string with = figure_commands(sample::full());
-  EXPECT_NE(with.find("rectangle from 22,graph 0"), std::string::npos);
-  EXPECT_NE(with.find("atoms, point, bond ≥ 1.70 Å"), std::string::npos);
-  EXPECT_EQ(with.find("atoms, disc, bond"), std::string::npos);
-  EXPECT_EQ(figure_commands(sample::membrane_only()).find("rectangle"), std::string::npos);
-}
-
-TEST(Figure, TheLegendLeavesTheCornerWhereACurvePasses) {
-  EXPECT_NE(figure_commands(sample::full()).find("set key inside left top"), std::string::npos);
-  Result concave = sample::membrane_only();
-  for (double& force : concave.runs[0].force_eV_per_A) force = std::pow(force, 0.1);
-  EXPECT_NE(figure_commands(concave).find("set key outside"), std::string::npos);
-}
-
-TEST(Figure, SurvivesQuotesInNames) {
+TEST(Draw, SurvivesQuotesInNames) {
   const TemporaryFolder folder;
   Result result = sample::full();
   result.resolved.potential = "my 'own' \"potential\" `date` $(x)";
@@ -126,16 +115,17 @@ TEST(Figure, SurvivesQuotesInNames) {
   EXPECT_TRUE(std::filesystem::exists(folder / "it's here/figure.png"));
 }
 
-TEST(Figure, AMissingGnuplotIsAWarning) {
+TEST(Draw, AMissingGnuplotIsAWarning) {
   const TemporaryFolder folder, empty;
   const SearchPath path(empty.path().string());
   const auto warning = write_figure(sample::full(), folder.path());
   ASSERT_TRUE(warning);
   EXPECT_NE(warning->find("gnuplot is not installed"), std::string::npos);
-  EXPECT_EQ(folder.entries(), 0u);
+  EXPECT_EQ(folder.entries(), 1u);
+  EXPECT_TRUE(std::filesystem::exists(folder / "figure.csv"));  // which needs no gnuplot
 }
 
-TEST(Figure, AFailingGnuplotIsQuoted) {
+TEST(Draw, AFailingGnuplotIsQuoted) {
   const TemporaryFolder folder, programs;
   std::ofstream(programs / "gnuplot") << "#!/bin/sh\necho 'no such terminal' >&2\nexit 1\n";
   std::filesystem::permissions(programs / "gnuplot", std::filesystem::perms::owner_all);
@@ -147,16 +137,31 @@ TEST(Figure, AFailingGnuplotIsQuoted) {
     EXPECT_EQ(error.exit_code(), ExitCode::file_failed);
     EXPECT_NE(std::string(error.what()).find("no such terminal"), std::string::npos);
   }
-  EXPECT_EQ(folder.entries(), 0u);
+  EXPECT_EQ(folder.entries(), 1u);  // the data
 }
 
-TEST(Figure, AnEmptyPictureIsAnError) {
+TEST(Draw, AnEmptyPictureIsAnError) {
   const TemporaryFolder folder, programs;
   std::ofstream(programs / "gnuplot") << "#!/bin/sh\nexit 0\n";
   std::filesystem::permissions(programs / "gnuplot", std::filesystem::perms::owner_all);
   const SearchPath path(programs.path().string());
   EXPECT_THROW(write_figure(sample::full(), folder.path()), Error);
+  EXPECT_EQ(folder.entries(), 1u);  // the data
+}
+
+TEST(Draw, NothingToDrawMakesNoFiles) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(write_plot(Plot{}, folder.path(), "nothing"));
+  EXPECT_FALSE(draw(Plot{}, folder.path(), "nothing"));
   EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Draw, TheDataMayHaveANameOfTheirOwn) {
+  const TemporaryFolder folder;
+  write_plot(force_depth_plot(sample::membrane_only()), folder.path(), "atoms", "atoms-figure");
+  for (const char* name : {"atoms.svg", "atoms.png", "atoms-figure.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_EQ(folder.entries(), 3u);
 }
 
 }  // namespace

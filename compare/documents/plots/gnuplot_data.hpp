@@ -1,0 +1,27 @@
+// The numbers of a drawing as gnuplot's data blocks.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "compare/documents/plots/plot.hpp"
+
+namespace validate {
+
+/// The smallest and the largest of the finite values added.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void add(double value);
+  bool known() const { return low <= high; }
+};
+
+/// Names of the blocks: of a panel's curve (x, y, upper edge or value), of its map, of its bars (boxxyerror's six).
+std::string curve_block(std::size_t panel, std::size_t curve);
+std::string map_block(std::size_t panel, std::size_t map);
+std::string bar_block(std::size_t panel, std::size_t bars);
+
+/// Every block of the plot.
+std::string gnuplot_data(const Plot& plot);
+
+}  // namespace validate

@@ -1,0 +1,281 @@
+#include "compare/documents/plots/gnuplot_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "compare/documents/plots/gnuplot.hpp"
+#include "compare/documents/plots/gnuplot_data.hpp"
+
+namespace validate {
+namespace {
+
+constexpr double title_height = 34;  // of a whole plot's, in SVG units
+
+const char* dash_text(Dash dash) {
+  switch (dash) {
+    case Dash::dashed:
+      return "'-'";
+    case Dash::dotted:
+      return "'.'";
+    case Dash::long_dashed:
+      return "'_'";
+    case Dash::dash_dotted:
+      return "'-.'";
+    case Dash::long_dash_dotted:
+      return "'_.'";
+    case Dash::solid:
+      break;
+  }
+  return "1";
+}
+
+int point_type(const Points& points) {
+  switch (points.marker) {
+    case Marker::square:
+      return points.open ? 4 : 5;
+    case Marker::triangle:
+      return points.open ? 8 : 9;
+    case Marker::diamond:
+      return points.open ? 12 : 13;
+    case Marker::circle:
+      break;
+  }
+  return points.open ? 6 : 7;
+}
+
+std::string style(const PlotCurve& curve) {
+  const std::string colour = curve.value.empty() ? fmt::format("rgb '{}'", hex(curve.colour)) : "palette";
+  if (!curve.y_high.empty()) return fmt::format("filledcurves fc {} fs solid 0.5 noborder", colour);
+  std::string text = curve.line && curve.points ? "linespoints" : curve.line ? "lines" : "points";
+  text += " lc " + colour;
+  if (curve.line) text += fmt::format(" lw {:g} dt {}", curve.line->width, dash_text(curve.line->dash));
+  const Points points = curve.points.value_or(Points{});
+  if (curve.points || !curve.line) text += fmt::format(" pt {} ps {:.2g}", point_type(points), points.size);
+  return text;
+}
+
+std::string title_clause(const std::string& name, bool in_legend) {
+  return in_legend && !name.empty() ? "title " + gnuplot_quoted(name) : "notitle";
+}
+
+const char* legend_place(Legend legend) {
+  switch (legend) {
+    case Legend::left_top:
+      return "inside left top";
+    case Legend::right_top:
+      return "inside right top";
+    case Legend::right_bottom:
+      return "inside right bottom";
+    case Legend::centre_top:
+      return "inside center top";
+    case Legend::centre:
+      return "inside center center";
+    case Legend::above:
+      return "outside above center maxrows 2";
+    case Legend::outside_right:
+      return "outside right center";
+    case Legend::none:
+      break;
+  }
+  return nullptr;
+}
+
+std::string bound(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "*"; }
+
+/// Multiples of powers of ten, the fewer the longer the axis.
+std::string logarithmic_tics(double low, double high) {
+  const std::vector<int> multiples = high / low > 1000 ? std::vector{1}
+                                     : high / low > 10 ? std::vector{1, 2, 5}
+                                                       : std::vector{1, 2, 3, 4, 6, 8};
+  std::string text;
+  for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power)
+    for (const int times : multiples) {
+      const double at = times * std::pow(10, power);
+      fmt::format_to(std::back_inserter(text), "{}'{:g}' {:g}", text.empty() ? "" : ", ", at, at);
+    }
+  return text;
+}
+
+/// Some five of them on an axis of this length: 1, 2 or 5 times a power of ten.
+double step_of_tics(double length) {
+  const double step = length / 5, power = std::pow(10, std::floor(std::log10(step)));
+  return step <= 2 * power ? 2 * power : step <= 5 * power ? 5 * power : 10 * power;
+}
+
+/// x of the points, or y.
+Extent range_of(const Panel& panel, char which) {
+  Extent range;
+  for (const PlotCurve& curve : panel.curves) {
+    for (const double value : which == 'x' ? curve.x : curve.y) range.add(value);
+    if (which == 'y')
+      for (const double value : curve.y_high) range.add(value);
+  }
+  return range;
+}
+
+std::string axis_commands(const Panel& panel, const Axis& axis, char which) {
+  std::string text = fmt::format("set {}label {}\n", which, gnuplot_quoted(axis_text(axis)));
+  std::optional<double> low = axis.low, high = axis.high;
+  const Extent range = range_of(panel, which);
+  if (axis.logarithmic && range.known() && range.low > 0) {
+    low = low.value_or(range.low / 1.15), high = high.value_or(range.high * 1.15);
+    text += fmt::format("set logscale {0}\nset {0}tics ({1})\n", which, logarithmic_tics(*low, *high));
+  }
+  if (panel.equal_axes && low && high && *high > *low)
+    text += fmt::format("set {}tics {:g}\n", which, step_of_tics(*high - *low));
+  if (!axis.categories.empty()) {
+    low = -0.6, high = static_cast<double>(axis.categories.size()) - 0.4;
+    text += fmt::format("set {}tics rotate by 45 right (", which);
+    for (std::size_t i = 0; i < axis.categories.size(); ++i)
+      text += fmt::format("{}{} {}", i ? ", " : "", gnuplot_quoted(axis.categories[i]), i);
+    text += ")\n";
+  }
+  // A curve may end at a free axis's end: not on the frame itself.
+  if (which == 'y' && !low && !high) text += "set offsets 0, 0, graph 0.05, graph 0.05\n";
+  return text + fmt::format("set {}range [{}:{}]\n", which, bound(low), bound(high));
+}
+
+/// A place of an axis with the whole of the other one: from the panel's beginning (0) or to its end (1).
+std::string place(Along along, double at, int end) {
+  const std::string here = std::isfinite(at) ? fmt::format("first {:.6g}", at) : "graph 1";
+  return along == Along::x ? fmt::format("{},graph {}", here, end) : fmt::format("graph {},{}", end, here);
+}
+
+std::string across(Along along, double at, Colour colour, Dash dash) {
+  return fmt::format("set arrow from {} to {} nohead lc rgb '{}' lw 1 dt {} back\n", place(along, at, 0),
+                     place(along, at, 1), hex(colour), dash_text(dash));
+}
+
+std::string zones_and_marks(const Panel& panel) {
+  std::string text;
+  for (const Zone& zone : panel.zones) {
+    fmt::format_to(std::back_inserter(text),
+                   "set object rectangle from {} to {} fc rgb '{}' fs solid 0.12 noborder behind\n",
+                   place(zone.along, zone.from, 0), place(zone.along, zone.to, 1), hex(zone.colour));
+    if (zone.edge) text += across(zone.along, zone.from, zone.colour, Dash::dashed);
+  }
+  for (const Mark& mark : panel.marks) text += across(mark.along, mark.at, mark.colour, mark.dash);
+  return text;
+}
+
+std::string colour_commands(const Panel& panel) {
+  std::string colours, tics;
+  if (!panel.scale.classes.empty()) {
+    for (std::size_t i = 0; i < panel.scale.classes.size(); ++i) {
+      const auto& [name, colour] = panel.scale.classes[i];
+      fmt::format_to(std::back_inserter(colours), "{}{} '{}'", i ? ", " : "", i, hex(colour));
+      fmt::format_to(std::back_inserter(tics), "{}{} {}", i ? ", " : "", gnuplot_quoted(name), i);
+    }
+    return fmt::format("set palette defined ({}) maxcolors {}\nset cbrange [-0.5:{}.5]\nset cbtics ({})\n", colours,
+                       panel.scale.classes.size(), panel.scale.classes.size() - 1, tics);
+  }
+  for (std::size_t i = 0; i < scale_of_fields().size(); ++i)
+    fmt::format_to(std::back_inserter(colours), "{}{} '{}'", i ? ", " : "", i, scale_of_fields()[i]);
+  Extent range;
+  for (const TriangleMap& map : panel.maps)
+    for (const double value : map.value) range.add(value);
+  for (const PlotCurve& curve : panel.curves)
+    for (const double value : curve.value) range.add(value);
+  if (!range.known()) range = {0, 1};
+  const double low = panel.scale.low.value_or(range.low), high = panel.scale.high.value_or(range.high);
+  return fmt::format(
+      "set palette defined ({}) maxcolors 0\nset cbrange [{:.6g}:{:.6g}]\nset label {} at graph 1.05,1.06\n", colours,
+      low, high > low ? high : low + 1, gnuplot_quoted(panel.scale.label));
+}
+
+/// A map's margins are fixed: gnuplot leaves too little for the labels of its colour bar.
+std::string map_place(const Plot& plot, std::size_t index) {
+  constexpr double left = 84, right = 126, bottom = 76, top = 48;
+  const double title = plot.title.empty() ? 0 : title_height;
+  const int rows = (static_cast<int>(plot.panels.size()) + plot.columns - 1) / plot.columns;
+  const double width = plot.width / static_cast<double>(plot.columns), height = (plot.height - title) / rows;
+  const double x = width * static_cast<double>(index % static_cast<std::size_t>(plot.columns));
+  const double y = plot.height - title - height * static_cast<double>(index / static_cast<std::size_t>(plot.columns));
+  return fmt::format(
+      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
+      "set tmargin at screen {:.4f}\n",
+      (x + left) / plot.width, (x + width - right) / plot.width, (y - height + bottom) / plot.height,
+      (y - top) / plot.height);
+}
+
+std::string splot(const Plot& plot, std::size_t p) {
+  const Panel& panel = plot.panels[p];
+  std::vector<std::string> clauses;
+  for (std::size_t m = 0; m < panel.maps.size(); ++m)
+    clauses.push_back(fmt::format("{} using 1:2:(0):3 with pm3d notitle", map_block(p, m)));
+  for (std::size_t c = 0; c < panel.curves.size(); ++c)
+    if (!panel.curves[c].x.empty())
+      clauses.push_back(fmt::format("{} using 1:2:(0){} with {} notitle", curve_block(p, c),
+                                    panel.curves[c].value.empty() ? "" : ":3", style(panel.curves[c])));
+  return map_place(plot, p) +
+         "set pm3d map corners2color c1\nunset key\nset border 31 lw 0.5\nset xlabel offset 0,0.4\nset ylabel offset "
+         "1,0\n" +
+         colour_commands(panel) + fmt::format("splot {}\n", fmt::join(clauses, ", \\\n     "));
+}
+
+std::string legend_commands(Legend legend) {
+  const char* const where = legend_place(legend);
+  if (!where) return "unset key\n";
+  return fmt::format("set key {} Left reverse samplen 2.5 spacing 1.15 font ',10'\n", where);
+}
+
+std::string plot_in_two_dimensions(const Panel& panel, std::size_t p) {
+  std::vector<std::string> clauses;
+  for (std::size_t b = 0; b < panel.bars.size(); ++b)
+    clauses.push_back(fmt::format("{} using 1:2:3:4:5:6 with boxxyerror fs solid 0.85 noborder fc rgb '{}' {}",
+                                  bar_block(p, b), hex(panel.bars[b].colour), title_clause(panel.bars[b].name, true)));
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    const PlotCurve& curve = panel.curves[c];
+    if (curve.x.empty()) continue;
+    clauses.push_back(fmt::format("{} using {} with {} {}", curve_block(p, c), curve.y_high.empty() ? "1:2" : "1:2:3",
+                                  style(curve), title_clause(curve.name, curve.in_legend)));
+  }
+  for (const Zone& zone : panel.zones)
+    if (!zone.name.empty())
+      clauses.push_back(
+          fmt::format("NaN with boxes fs solid 0.25 lc rgb '{}' {}", hex(zone.colour), title_clause(zone.name, true)));
+  if (clauses.empty()) clauses.emplace_back("NaN notitle");
+  return fmt::format("{}set border 3 lw 1\nset grid lc rgb '#e4e4e4' lw 1 lt 1\nplot {}\n",
+                     legend_commands(panel.legend), fmt::join(clauses, ", \\\n     "));
+}
+
+std::string panel_commands(const Plot& plot, std::size_t index) {
+  const Panel& panel = plot.panels[index];
+  std::string title;
+  if (!panel.title.empty())
+    title = "set title " + gnuplot_quoted(panel.title) + (plot.panels.size() == 1 ? " font ',14'\n" : "\n");
+  return fmt::format("reset\nset minussign\n{}set tics nomirror out\n{}{}{}{}{}", title,
+                     axis_commands(panel, panel.x, 'x'), axis_commands(panel, panel.y, 'y'),
+                     panel.equal_axes ? "set size ratio -1\n" : "", zones_and_marks(panel),
+                     is_map(panel) ? splot(plot, index) : plot_in_two_dimensions(panel, index));
+}
+
+std::string commands(const Plot& plot) {
+  const auto count = static_cast<int>(plot.panels.size());
+  std::string text;
+  if (count > 1) {
+    text = fmt::format("set multiplot layout {},{}", (count + plot.columns - 1) / plot.columns, plot.columns);
+    if (!plot.title.empty()) text += " title " + gnuplot_quoted(plot.title) + " font ',14'";
+    text += "\n";
+  }
+  for (std::size_t p = 0; p < plot.panels.size(); ++p) text += panel_commands(plot, p);
+  return text + (count > 1 ? "unset multiplot\n" : "");
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Plot& plot, const std::filesystem::path& svg, const std::filesystem::path& png) {
+  return fmt::format(
+      "set encoding utf8\n{0}"
+      "set terminal svg size {1},{2} font 'DejaVu Sans,12' noenhanced background rgb 'white'\n"
+      "set output {3}\n{6}unset output\n"
+      "set terminal pngcairo size {4},{5} font 'DejaVu Sans,12' fontscale 2 linewidth 2 pointscale 2 noenhanced\n"
+      "set output {7}\n{6}unset output\n",
+      gnuplot_data(plot), plot.width, plot.height, gnuplot_quoted(svg.string()), 2 * plot.width, 2 * plot.height,
+      commands(plot), gnuplot_quoted(png.string()));
+}
+
+}  // namespace validate

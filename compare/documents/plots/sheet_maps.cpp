@@ -1,0 +1,103 @@
+#include "compare/documents/plots/sheet_maps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace validate {
+namespace {
+
+bool is_quarter(const SheetPicture& picture) { return picture.mesh.copies > 1; }
+
+double half_side(const SheetPicture& picture) {
+  double size = 0;
+  for (const auto& X : picture.mesh.nodes) size = std::max(size, X.lpNorm<Eigen::Infinity>());
+  return size;
+}
+
+Eigen::Vector2d deformed(const SheetPicture& picture, int node) {
+  return picture.mesh.nodes[static_cast<std::size_t>(node)] +
+         Eigen::Vector2d(picture.displacement[static_cast<std::size_t>(3 * node)],
+                         picture.displacement[static_cast<std::size_t>(3 * node + 1)]);
+}
+
+TriangleMap map_of(const SheetPicture& picture, const std::string& name, const std::string& key) {
+  TriangleMap map{.name = name, .key = key, .corners = {}, .value = column(picture.triangles, key)};
+  map.quarter = is_quarter(picture);
+  for (const auto& triangle : picture.mesh.triangles) {
+    const auto& n = triangle.nodes;
+    map.corners.push_back({deformed(picture, n[0]), deformed(picture, n[1]), deformed(picture, n[2])});
+  }
+  return map;
+}
+
+/// Strokes along the tension of wrinkled triangles, thinned out to about fourteen a direction.
+PlotCurve rays(const SheetPicture& picture) {
+  constexpr int across = 14;
+  const auto& state = column(picture.triangles, "state");
+  const auto& direction = column(picture.triangles, "direction");
+  const double spacing = half_side(picture) / across;
+  PlotCurve curve{.name = "tension rays", .x = {}, .y = {}, .line = Line{.width = 0.6}, .strokes = true};
+  std::set<std::pair<int, int>> taken;
+  for (std::size_t t = 0; t < state.size(); ++t) {
+    if (state[t] != 1) continue;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero(), flat = Eigen::Vector2d::Zero();
+    for (const int node : picture.mesh.triangles[t].nodes) {
+      centre += deformed(picture, node) / 3;
+      flat += picture.mesh.nodes[static_cast<std::size_t>(node)] / 3;
+    }
+    if (!taken.insert({int(std::floor(flat.x() / spacing)), int(std::floor(flat.y() / spacing))}).second) continue;
+    const Eigen::Vector2d half = 0.4 * spacing * Eigen::Vector2d(direction[3 * t], direction[3 * t + 1]);
+    for (const int sx : {1, -1})
+      for (const int sy : {1, -1}) {
+        if (!is_quarter(picture) && (sx < 0 || sy < 0)) continue;
+        for (const Eigen::Vector2d& end : {Eigen::Vector2d(centre - half), Eigen::Vector2d(centre + half)}) {
+          curve.x.push_back(sx * end.x());
+          curve.y.push_back(sy * end.y());
+        }
+      }
+  }
+  return curve;
+}
+
+Panel stress_panel(const SheetPicture& picture, const std::string& title, const std::string& key) {
+  Panel panel = seen_from_above(title, half_side(picture));
+  panel.maps = {map_of(picture, title, key)};
+  panel.scale.label = "eV/Å³";
+  panel.scale.low = std::min(0.0, std::ranges::min(panel.maps[0].value));
+  return panel;
+}
+
+Panel state_panel(const SheetPicture& picture) {
+  Panel panel = seen_from_above("states and tension rays", half_side(picture));
+  panel.maps = {map_of(picture, "state", "state")};
+  panel.scale = scale_of_states();
+  panel.curves = {rays(picture)};
+  return panel;
+}
+
+}  // namespace
+
+Panel seen_from_above(const std::string& title, double half_side_A) {
+  const double end = 1.02 * half_side_A;
+  return {.title = title,
+          .x = {.label = "x", .unit = "Å", .key = "x_A", .low = -end, .high = end},
+          .y = {.label = "y", .unit = "Å", .key = "y_A", .low = -end, .high = end},
+          .equal_axes = true};
+}
+
+ColourScale scale_of_states() {
+  return {.classes = {{"taut", Colour::sky}, {"wrinkled", Colour::orange}, {"slack", Colour::pale_grey}}};
+}
+
+Plot sheet_plot(const SheetPicture& picture) {
+  return {
+      .panels = {stress_panel(picture, "larger principal Cauchy stress", "cauchy_1_eV_per_A3"),
+                 stress_panel(picture, "smaller principal Cauchy stress", "cauchy_2_eV_per_A3"), state_panel(picture)},
+      .columns = 3,
+      .width = 3 * 480,
+      .height = 400};
+}
+
+}  // namespace validate

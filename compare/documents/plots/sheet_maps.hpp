@@ -1,0 +1,17 @@
+// A solved sheet seen from above: its stresses, its wrinkled zones and their tension rays.
+#pragma once
+
+#include "compare/documents/plots/plot.hpp"
+#include "compare/results/sheet_columns.hpp"
+
+namespace validate {
+
+/// Three panels over the deformed sheet: larger and smaller principal Cauchy stress, and the states with tension rays
+/// in wrinkled triangles. A quarter is drawn with its mirror images.
+Plot sheet_plot(const SheetPicture& picture);
+
+/// Axes x and y of a square about the origin, and how colours say states (0 taut, 1 wrinkled, 2 slack).
+Panel seen_from_above(const std::string& title, double half_side_A);
+ColourScale scale_of_states();
+
+}  // namespace validate

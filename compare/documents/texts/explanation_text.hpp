@@ -1,0 +1,14 @@
+// What the plain membrane lacks, as the terminal shows it.
+#pragma once
+
+#include <string>
+
+#include "compare/results/result.hpp"
+
+namespace validate {
+
+/// One block per load: shares in per cent of the plain membrane's force, and the atoms over each continuum. Empty
+/// without calibrated curves.
+std::string explanation_text(const Result& result);
+
+}  // namespace validate

@@ -1,0 +1,158 @@
+// What is drawn of a run, as data.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/base/units.hpp"
+#include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/plots/force_depth.hpp"
+#include "compare/documents/plots/from_above.hpp"
+#include "compare/documents/plots/ratio.hpp"
+#include "compare/documents/plots/window_scan.hpp"
+#include "tests/compare/results/sample_result.hpp"
+
+using namespace validate;
+
+namespace {
+
+std::vector<std::string> names(const Panel& panel) {
+  std::vector<std::string> all;
+  for (const PlotCurve& curve : panel.curves) all.push_back(curve.name);
+  return all;
+}
+
+const PlotCurve& curve(const Panel& panel, const std::string& name) {
+  const auto found = std::ranges::find(panel.curves, name, &PlotCurve::name);
+  if (found == panel.curves.end()) throw std::out_of_range(name);
+  return *found;
+}
+
+TEST(ForceDepth, ArtefactPointsAreACurveOfTheirOwnAndTheirZoneIsShaded) {
+  const Result result = sample::full();
+  const Panel panel = force_depth_plot(result).panels.at(0);
+  ASSERT_EQ(result.runs[0].load, "point");
+  ASSERT_TRUE(result.runs[0].artefact.back());
+  const PlotCurve &usable = curve(panel, "atoms, point"), &artefact = curve(panel, "atoms, point, bond ≥ 1.70 Å");
+  EXPECT_EQ(usable.x.size() + artefact.x.size(), result.runs[0].depth_A.size());
+  EXPECT_EQ(artefact.x, std::vector{22.0});
+  EXPECT_TRUE(artefact.points->open);
+  EXPECT_FALSE(usable.points->open);
+  ASSERT_EQ(panel.zones.size(), 1u);  // the disc's bonds stay shorter
+  EXPECT_EQ(panel.zones[0].from, 22);
+  EXPECT_EQ(panel.zones[0].name, "artefact zone, point");
+  EXPECT_EQ(panel.zones[0].colour, usable.colour);
+  EXPECT_TRUE(force_depth_plot(sample::membrane_only()).panels.at(0).zones.empty());
+}
+
+TEST(ForceDepth, MembranesGoThroughTheirPointsAndEq16HasTheirConstants) {
+  const Result result = sample::full();
+  const Panel panel = force_depth_plot(result).panels.at(0);
+  const PlotCurve &paper = curve(panel, "membrane, point, paper constants"),
+                  &eq16 = curve(panel, "Eq. 16, card constants");
+  EXPECT_EQ(paper.line->dash, Dash::dashed);
+  EXPECT_EQ(paper.x.front(), 1);  // nothing is known below the first point
+  EXPECT_DOUBLE_EQ(paper.x.back(), 25);
+  EXPECT_EQ(eq16.x.front(), 0);
+  EXPECT_EQ(eq16.y.front(), 0);
+  EXPECT_NEAR(*panel.x.high, 1.04 * 25, 1e-12);
+  EXPECT_EQ(panel.title, "airebo, R = 110 Å, tip radius 10 Å");
+}
+
+TEST(ForceDepth, TheLegendLeavesTheCornerWhereACurvePasses) {
+  EXPECT_EQ(force_depth_plot(sample::full()).panels.at(0).legend, Legend::left_top);
+  Result concave = sample::membrane_only();
+  for (double& force : concave.runs[0].force_eV_per_A) force = std::pow(force, 0.1);
+  EXPECT_EQ(force_depth_plot(concave).panels.at(0).legend, Legend::outside_right);
+}
+
+TEST(Ratio, ABandOfTheToleranceAndOpenPointsInTheArtefactZone) {
+  const Result result = sample::full();
+  const Panel panel = ratio_plot(result).panels.at(0);
+  ASSERT_EQ(panel.zones.size(), 1u);
+  EXPECT_DOUBLE_EQ(panel.zones[0].from, 1 - result.resolved.tolerance);
+  EXPECT_DOUBLE_EQ(panel.zones[0].to, 1 + result.resolved.tolerance);
+  ASSERT_EQ(panel.marks.size(), 2u);
+  EXPECT_EQ(panel.marks[0].at, result.agreement->window[0]);
+  const Comparison& c = result.comparisons.at(0);
+  const auto inside = static_cast<std::size_t>(std::ranges::count(c.regime, Regime::artefact));
+  ASSERT_GT(inside, 0u);
+  const std::string name = c.load + ", membrane, card constants";
+  EXPECT_EQ(curve(panel, name).x.size(), c.depth_A.size() - inside);
+  EXPECT_EQ(curve(panel, name + ", artefact zone").x.size(), inside);
+  EXPECT_FALSE(curve(panel, name + ", artefact zone").in_legend);
+  EXPECT_TRUE(ratio_plot(sample::membrane_only()).panels.empty());
+}
+
+TEST(WindowScan, TwoPanelsInNewtonPerMetreWithTheKnownValueOnce) {
+  const Result result = sample::full();
+  const Plot plot = window_scan_plot(result);
+  ASSERT_EQ(plot.panels.size(), 2u);
+  EXPECT_EQ(plot.panels[0].y.key, "Eh_N_per_m");
+  EXPECT_EQ(plot.panels[1].y.key, "pretension_N_per_m");
+  const std::vector<std::string> all = names(plot.panels[0]);
+  EXPECT_EQ(std::ranges::count(all, "known"), 1);
+  EXPECT_EQ(std::ranges::count(all, "membrane, disc"), 1);  // neither the paper's nor the calibrated one
+  const PlotCurve& atoms = curve(plot.panels[0], "atoms, point");
+  EXPECT_EQ(atoms.x, result.runs[0].scan.depth_max_A);
+  EXPECT_DOUBLE_EQ(atoms.y[0], N_per_m_per_eV_per_A2 * result.runs[0].scan.Eh_eV_per_A2[0]);
+  EXPECT_DOUBLE_EQ(curve(plot.panels[0], "known").y[0], N_per_m_per_eV_per_A2 * result.runs[0].Eh_eV_per_A2);
+  EXPECT_TRUE(window_scan_plot(Result{}).panels.empty());
+}
+
+TEST(WindowScan, DrumsAreInNanometres) {
+  Result drum = sample::full();
+  for (auto& run : drum.runs)
+    for (double& depth : run.scan.depth_max_A) depth *= 100;
+  const Panel panel = window_scan_plot(drum).panels.at(0);
+  EXPECT_EQ(panel.x.key, "depth_max_nm");
+  EXPECT_DOUBLE_EQ(curve(panel, "atoms, point").x[0], 0.1 * drum.runs[0].scan.depth_max_A[0]);
+}
+
+TEST(ExplanationBars, SharesAddUpToTheAtoms) {
+  const Result result = sample::full();
+  const Plot plot = explanation_plot(result);
+  ASSERT_EQ(plot.panels.size(), result.explanations.size());
+  ASSERT_FALSE(plot.panels.empty());
+  for (const Panel& panel : plot.panels) {
+    ASSERT_EQ(panel.bars.size(), shares().size());
+    const PlotCurve& atoms = curve(panel, "atoms");
+    ASSERT_EQ(atoms.y.size(), panel.x.categories.size());
+    EXPECT_LE(atoms.y.size(), 8u);
+    for (std::size_t i = 0; i < atoms.y.size(); ++i) {
+      double sum = 0;
+      for (const StackedBars& bars : panel.bars) sum += std::isfinite(bars.y.at(i)) ? bars.y[i] : 0;
+      EXPECT_NEAR(sum, atoms.y[i], 1e-9);
+    }
+  }
+  EXPECT_TRUE(explanation_plot(sample::membrane_only()).panels.empty());
+}
+
+TEST(FromAbove, AtomsByTheirBondsBesideTheMembrane) {
+  const RoundField field{.load = "disc", .tip_A = 10, .radius_A = {0, 20, 40}, .larger_force_eV_per_A2 = {3, 2, 1}};
+  const Plot both = from_above_plot("disc", {{1, 2, 1.42}, {-30, 4, 1.5}}, field);
+  ASSERT_EQ(both.panels.size(), 2u);
+  EXPECT_EQ(both.panels[0].curves.at(0).value, (std::vector{1.42, 1.5}));
+  EXPECT_NEAR(*both.panels[0].x.high, 1.02 * 30, 1e-12);
+  const TriangleMap& map = both.panels[1].maps.at(0);
+  EXPECT_TRUE(map.quarter);
+  double area = 0;
+  for (const auto& c : map.corners) {
+    const Eigen::Vector2d a = c[1] - c[0], b = c[2] - c[0];
+    area += std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  EXPECT_NEAR(area, M_PI * 40 * 40 / 4, 0.002 * M_PI * 40 * 40 / 4);  // chords are shorter than arcs
+  EXPECT_NEAR(map.value.front(), 2.5 * N_per_m_per_eV_per_A2, 1e-12);
+  EXPECT_NEAR(map.value.back(), 1.5 * N_per_m_per_eV_per_A2, 1e-12);
+  EXPECT_EQ(from_above_plot("disc", {}, field).panels.size(), 1u);
+  EXPECT_TRUE(from_above_plot("disc", {}, std::nullopt).panels.empty());
+}
+
+TEST(FromAbove, UnderAPointTheMapBeginsOutsideTheCentre) {
+  RoundField field{
+      .load = "point", .tip_A = 0, .radius_A = {0, 0.3, 1, 100}, .larger_force_eV_per_A2 = {1e9, 30, 20, 10}};
+  const Plot plot = from_above_plot("point", {}, field);
+  EXPECT_NEAR(std::ranges::max(plot.panels.at(0).maps.at(0).value), 15 * N_per_m_per_eV_per_A2, 1e-9);
+}
+
+}  // namespace
