@@ -246,7 +246,8 @@ std::string panel_commands(const Plot& plot, std::size_t index) {
   const Panel& panel = plot.panels[index];
   std::string title;
   if (!panel.title.empty())
-    title = "set title " + gnuplot_quoted(panel.title) + (plot.panels.size() == 1 ? " font ',14'\n" : "\n");
+    title = "set title " + gnuplot_quoted(panel.title) +
+            (plot.panels.size() == 1 && !is_map(panel) ? " font ',14'\n" : "\n");
   return fmt::format("reset\nset minussign\n{}set tics nomirror out\n{}{}{}{}{}", title,
                      axis_commands(panel, panel.x, 'x'), axis_commands(panel, panel.y, 'y'),
                      panel.equal_axes ? "set size ratio -1\n" : "", zones_and_marks(panel),

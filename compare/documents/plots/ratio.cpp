@@ -19,11 +19,15 @@ void add_curve(std::vector<PlotCurve>& all, const Comparison& c, const std::vect
   for (std::size_t i = 0; i < ratio.size() && i < c.depth_A.size(); ++i) {
     if (!std::isfinite(ratio[i])) continue;
     PlotCurve& curve = c.regime[i] == Regime::artefact ? artefact : usable;
+    if (&curve == &artefact && curve.x.empty() && !usable.x.empty()) {  // the line has no gap
+      curve.x.push_back(usable.x.back());
+      curve.y.push_back(usable.y.back());
+    }
     curve.x.push_back(c.depth_relative[i]);
     curve.y.push_back(ratio[i]);
   }
-  if (!usable.x.empty()) all.push_back(std::move(usable));
   if (!artefact.x.empty()) all.push_back(std::move(artefact));
+  if (!usable.x.empty()) all.push_back(std::move(usable));  // its filled points upon the other's first
 }
 
 std::vector<PlotCurve> curves_of(const Result& result) {
