@@ -4,20 +4,18 @@
 
 #include <algorithm>
 
-#include "compare/base/read_file.hpp"
-#include "compare/process/child_process.hpp"
+#include "compare/base/child_process.hpp"
 
 namespace validate {
 
 std::optional<GnuplotReport> run_gnuplot(const std::filesystem::path& script) {
-  if (!find_program("gnuplot")) return std::nullopt;
-  const std::filesystem::path messages = script.string() + ".messages";
-  const ChildEnd end =
-      ChildProcess({.words = {"gnuplot", script.string()}, .folder = script.parent_path(), .standard_error = messages})
-          .wait();
-  GnuplotReport report{.succeeded = end.good(), .messages = read_file(messages)};
-  std::filesystem::remove(messages);
-  if (end.signal != 0) report.messages += fmt::format("ended by signal {}", end.signal);
+  const auto program = find_program("gnuplot");
+  if (!program) return std::nullopt;
+  ChildProcess child({.words = {program->string(), script.string()}, .if_not_started = ExitCode::file_failed});
+  GnuplotReport report{.succeeded = false, .messages = child.read_to_end()};
+  const ChildEnd end = child.wait();
+  report.succeeded = end.good();
+  if (end.signal) report.messages += fmt::format("ended by signal {}", end.signal);
   return report;
 }
 
