@@ -1,14 +1,17 @@
-// One description per struct: name, unit, meaning and range of each field, visited by whatever reads or
-// writes it (TOML, flags, --help, range errors, HDF5 attributes, CSV and JSON keys). A struct takes part
-// through
+// One description per struct: name, unit, meaning and range of each member, visited by whatever reads or writes it:
+// TOML, flags, --help, range errors, HDF5 (both ways), CSV, JSON and its schemas. A struct takes part through
 //
-//   template <class Self, class Visitor> requires SameStruct<Self, Case>
+//   template <class Self, class Visitor>
+//   requires SameStruct<Self, Case>
 //   void describe(Self& self, Visitor&& visit) {
-//     visit(Field{.name = "radius", .unit = unit::length, .meaning = "…", .range = positive()},
-//     self.radius_A);
+//     visit(Field{.name = "radius", .unit = unit::length, .meaning = "…", .range = positive()}, self.radius_A);
+//     visit(Column{"depth", unit::length, "…"}, self.depth_A);
+//     visit(Field{"fit", {}, "…"}, self.fit);
 //   }
 //
-// so the same function serves reading (Self = Case) and writing (Self = const Case).
+// so the same function serves reading (Self = Case) and writing (Self = const Case). A member is a value (number, truth
+// value, text, enumerator with words), a list of values, a column, a described struct, an optional one, a list of them,
+// or a variant of them, whose members then stand among those of the struct that holds it.
 #pragma once
 
 #include <limits>
@@ -57,6 +60,40 @@ struct Field {
   Range range = {};
   std::string_view table = {};                     ///< TOML table that holds the key; empty: top level
   std::span<const std::string_view> choices = {};  ///< allowed words of a text; empty: any text
+  bool may_lack = false;                           ///< left out of documents where there is none
+  bool top_too = false;                            ///< the key of a table may stand at the top level of a file too
+
+  constexpr Field where_known() const {
+    Field field = *this;
+    field.may_lack = true;
+    return field;
+  }
+  constexpr Field at_top_too() const {
+    Field field = *this;
+    field.top_too = true;
+    return field;
+  }
+};
+
+/// A member with one value per point: all columns of a struct that are there are equally long.
+struct Column : Field {
+  constexpr Column where_known() const {
+    Column column = *this;
+    column.may_lack = true;
+    return column;
+  }
+};
+
+namespace detail {
+struct AnyVisitor {
+  template <class T>
+  void operator()(const Field&, T&) const {}
+};
+}  // namespace detail
+
+template <class Struct>
+concept Described = std::is_class_v<Struct> && requires(const Struct& s) {
+  describe(s, detail::AnyVisitor{});
 };
 
 }  // namespace validate

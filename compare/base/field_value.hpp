@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "compare/base/describe.hpp"
+#include "compare/base/words.hpp"
 
 namespace validate {
 
@@ -25,6 +26,13 @@ double parse_number(const Field&, std::string_view text, std::string_view label)
 
 /// The text itself if it is one of the field's choices (or the field has none) and not empty.
 std::string parse_text(const Field&, std::string_view text, std::string_view label);
+
+/// The field with the words of an enumerator type as its choices.
+template <Worded Enum>
+Field with_words(Field field) {
+  field.choices = all_words<Enum>;
+  return field;
+}
 
 /// "> 0 Å", "> -1 and < 1"; "any finite number" without bounds.
 std::string describe_range(const Field&);

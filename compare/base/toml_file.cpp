@@ -82,7 +82,8 @@ const toml::array& list_from(const toml::node& node, std::string_view label) {
 const toml::node* find_node(const toml::table& root, const Field& field) {
   if (field.table.empty()) return root.get(field.name);
   const toml::node* table = root.get(field.table);
-  return table && table->is_table() ? table->as_table()->get(field.name) : nullptr;
+  const toml::node* found = table && table->is_table() ? table->as_table()->get(field.name) : nullptr;
+  return !found && field.top_too ? root.get(field.name) : found;
 }
 
 toml::table parse(const std::filesystem::path& file, std::string_view label) {
@@ -97,7 +98,7 @@ toml::table parse(const std::filesystem::path& file, std::string_view label) {
 std::vector<std::string_view> keys_of(const std::vector<Field>& fields, std::string_view table) {
   std::vector<std::string_view> keys;
   for (const Field& field : fields) {
-    if (field.table == table) keys.push_back(field.name);
+    if (field.table == table || (table.empty() && field.top_too)) keys.push_back(field.name);
   }
   return keys;
 }
@@ -192,11 +193,15 @@ void TomlFile::read_value(const Field& field, const std::string& label, std::vec
   }
 }
 
+std::vector<std::string> TomlFile::texts(const Field& field, const std::string& label) const {
+  std::vector<std::string> found;
+  for (const toml::node& node : list_from(*find_node(content_->root, field), label))
+    found.push_back(text_from(field, label, node));
+  return found;
+}
+
 void TomlFile::read_value(const Field& field, const std::string& label, std::vector<std::string>& value) const {
-  value.clear();
-  for (const toml::node& node : list_from(*find_node(content_->root, field), label)) {
-    value.push_back(text_from(field, label, node));
-  }
+  value = texts(field, label);
 }
 
 }  // namespace validate

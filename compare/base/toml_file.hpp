@@ -11,6 +11,7 @@
 
 #include "compare/base/describe.hpp"
 #include "compare/base/field_value.hpp"
+#include "compare/base/words.hpp"
 
 namespace validate {
 
@@ -50,6 +51,18 @@ class TomlFile {
   void read_value(const Field&, const std::string& label, std::string&) const;
   void read_value(const Field&, const std::string& label, std::vector<double>&) const;
   void read_value(const Field&, const std::string& label, std::vector<std::string>&) const;
+  template <Worded Enum>
+  void read_value(const Field& field, const std::string& label, Enum& value) const {
+    std::string text;
+    read_value(with_words<Enum>(field), label, text);
+    value = *from_word<Enum>(text);
+  }
+  template <Worded Enum>
+  void read_value(const Field& field, const std::string& label, std::vector<Enum>& value) const {
+    value.clear();
+    for (const std::string& text : texts(with_words<Enum>(field), label)) value.push_back(*from_word<Enum>(text));
+  }
+  std::vector<std::string> texts(const Field&, const std::string& label) const;
 
   std::filesystem::path file_;
   std::unique_ptr<const Content> content_;

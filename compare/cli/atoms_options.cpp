@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/paths.hpp"
-#include "compare/base/child_process.hpp"
 
 namespace validate {
 namespace {

@@ -13,10 +13,13 @@
 #include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
-#include "compare/documents/texts/batch_files.hpp"
-#include "compare/documents/texts/summary_json.hpp"
+#include "compare/documents/bytes/run_h5.hpp"
+#include "compare/documents/bytes/run_h5_read.hpp"
+#include "compare/documents/texts/batch_table.hpp"
+#include "compare/documents/texts/json.hpp"
 #include "compare/process/folder_lock.hpp"
 #include "compare/process/many_cases.hpp"
+#include "compare/process/provenance.hpp"
 #include "compare/process/run_record.hpp"
 
 namespace validate {
@@ -25,10 +28,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path batch_folder(const RunOptions& options) {
+fs::path batch_folder(Command command, const RunOptions& options) {
   if (options.out) return fs::absolute(*options.out);
-  const auto numbered = [](int n) {
-    return fs::path("runs") / (n == 1 ? "indentation-batch" : fmt::format("indentation-batch-{}", n));
+  const auto numbered = [command](int n) {
+    return fs::path("runs") / fmt::format("{}-batch{}", command, n == 1 ? "" : fmt::format("-{}", n));
   };
   int n = 1;
   while (fs::exists(numbered(n))) ++n;
@@ -69,22 +72,23 @@ void prepare(const fs::path& folder, const std::vector<BatchCase>& cases, const 
   if (options.overwrite) clear_run(folder);
   RunRecord record = read_record(folder).value_or(RunRecord());
   Json list = Json::array();
-  for (const char* name : {"batch.json", "summary.json"}) record.add_file(name);
+  for (const char* name : {"batch.json", "summary.json", "run.h5"}) record.add_file(name);
   for (const BatchCase& c : cases) {
     record.add_folder(case_name(c));
     record.add_file(log_name(c));
     list.push_back(case_name(c));
   }
   record.exit_code.reset();
-  write_file(folder / "batch.json", Json{{"schema", summary_schema}, {"cases", list}}.dump(1) + "\n");
+  write_file(folder / "batch.json", Json{{"schema", document_schema}, {"cases", list}}.dump(1) + "\n");
   write_record(folder, record);
 }
 
-std::vector<CaseEnd> run_all(const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
-                             const RunOptions& options, const fs::path& folder) {
+std::vector<CaseEnd> run_all(Command command, const std::vector<BatchCase>& cases,
+                             const std::vector<std::string>& common, const RunOptions& options,
+                             const fs::path& folder) {
   std::vector<ManyCase> list;
   for (const BatchCase& c : cases) {
-    std::vector<std::string> words = {(program_folder() / "validate").string(), "indentation"};
+    std::vector<std::string> words = {(program_folder() / "validate").string(), std::string(to_string(command))};
     words.insert(words.end(), common.begin(), common.end());
     words.insert(words.end(), c.words.begin(), c.words.end());
     if (options.overwrite && fs::exists(folder / case_name(c))) words.push_back("--overwrite");
@@ -99,23 +103,26 @@ std::vector<CaseEnd> run_all(const std::vector<BatchCase>& cases, const std::vec
   }
 }
 
-Json read_summary(const fs::path& folder) {
-  std::ifstream in(folder / "summary.json");
-  const Json summary = in ? Json::parse(in, nullptr, false) : Json(nullptr);
-  return summary.is_discarded() ? Json(nullptr) : summary;
+/// A case's own result, as far as it got.
+std::shared_ptr<const Result> read_summary(const fs::path& folder) {
+  try {
+    return std::make_shared<const Result>(read_run_h5(folder / "run.h5"));
+  } catch (const Error&) {  // it failed before there was one
+    return nullptr;
+  }
 }
 
-void tell(const std::vector<BatchEntry>& entries, const RunOptions& options, const fs::path& folder) {
-  const std::string text = batch_document(entries).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  write_file(folder / "summary.json", text);
-  const bool json_on_stdout = options.json && *options.json == "-";
-  if (options.json && !json_on_stdout) write_file(*options.json, text);
-  fmt::print("{}", json_on_stdout ? text : batch_table(entries));
+void tell(const Result& result, const RunOptions& options, const fs::path& folder) {
+  write_file(folder / "summary.json", json_text(result));
+  write_run_h5(result, folder / "run.h5");
+  if (options.json) write_json(result, options.json->string());
+  if (!options.json || *options.json != "-") fmt::print("{}", batch_table(result));
 }
 
 }  // namespace
 
-int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string>& common, const RunOptions& options) {
+int run_batch(Command command, const std::vector<BatchCase>& cases, const std::vector<std::string>& common,
+              const RunOptions& options) {
   std::set<std::string> names;
   for (const BatchCase& c : cases)
     if (!names.insert(case_name(c)).second) throw bad_input("--potential, --radius: {} is named twice", case_name(c));
@@ -124,24 +131,25 @@ int run_batch(const std::vector<BatchCase>& cases, const std::vector<std::string
     return 0;
   }
   catch_interrupts();
-  const fs::path folder = batch_folder(options);
+  const fs::path folder = batch_folder(command, options);
   refuse_contents(folder, options);
   make_folder(folder);
   const FolderLock lock(folder);
   prepare(folder, cases, options);
-  const std::vector<CaseEnd> ends = run_all(cases, common, options, folder);
-  std::vector<BatchEntry> entries;
-  int worst = 0;
+  const std::vector<CaseEnd> ends = run_all(command, cases, common, options, folder);
+  Result result;
+  result.command = Command::batch;
+  result.provenance = provenance(command_line());
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    entries.push_back({cases[i].potential, cases[i].radius_A, case_name(cases[i]), ends[i].exit_code,
-                       read_summary(folder / case_name(cases[i]))});
-    worst = std::max(worst, ends[i].exit_code);
+    result.cases.push_back({cases[i].potential, cases[i].radius_A, case_name(cases[i]), ends[i].exit_code,
+                            read_summary(folder / case_name(cases[i]))});
+    result.exit_code = std::max(result.exit_code, ends[i].exit_code);
   }
-  tell(entries, options, folder);
+  tell(result, options, folder);
   RunRecord record = read_record(folder).value_or(RunRecord());
-  record.exit_code = worst;
+  record.exit_code = result.exit_code;
   write_record(folder, record);
-  return worst;
+  return result.exit_code;
 }
 
 }  // namespace validate

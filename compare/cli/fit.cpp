@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,8 @@
 #include "compare/base/field_value.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/paths.hpp"
-#include "compare/documents/plots/draw.hpp"
-#include "compare/documents/plots/measured_curve_plot.hpp"
+#include "compare/documents/fit_files.hpp"
+#include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/measured_report.hpp"
 #include "compare/fitting/measured_fit.hpp"
 #include "compare/potential/potential_card.hpp"
@@ -137,13 +136,6 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
   return o;
 }
 
-std::string unique_name(const fs::path& file, std::set<std::string>& taken) {
-  const std::string stem = "fit-" + file.stem().string();
-  std::string name = stem;
-  for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}-{}", stem, i);
-  return name;
-}
-
 fs::path output_folder(const std::string& out) {
   const fs::path folder = out.empty() ? fs::current_path() : fs::path(out);
   std::error_code error;
@@ -152,34 +144,20 @@ fs::path output_folder(const std::string& out) {
   return folder;
 }
 
-void write_document(const nlohmann::ordered_json& document, const std::string& target) {
-  const std::string text = document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  if (target != "-") return write_file(target, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
-    throw Error(ExitCode::file_failed, "cannot write to stdout");
-}
-
 int fit(const FitFlags& flags) {
   atomistic::use_one_math_thread();
-  std::vector<MeasuredResult> results;
-  std::vector<MeasuredOptions> options;
+  Result result;
+  result.command = Command::fit;
+  result.provenance = provenance(command_line());
   const std::optional<PotentialCard> card = card_of(flags);
   for (const std::string& file : flags.files) {  // everything is read and checked before anything is written
-    MeasuredCurve curve = read_measured(file, {flags.depth_column, flags.force_column, flags.sigma_column});
-    options.push_back(options_of(flags, curve, card));
-    results.push_back(evaluate(std::move(curve), options.back()));
+    const MeasuredCurve curve = read_measured(file, {flags.depth_column, flags.force_column, flags.sigma_column});
+    result.curves.push_back(evaluate(curve, options_of(flags, curve, card)));
   }
   if (flags.json != "-")
-    for (std::size_t i = 0; i < results.size(); ++i) fmt::print("{}\n", measured_text(results[i], options[i]));
-  if (!flags.json.empty()) write_document(measured_document(results, options, command_line()), flags.json);
-  if (flags.out.empty()) return 0;
-  const fs::path folder = output_folder(flags.out);
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (const auto warning =
-            write_plot(measured_plot(results[i], options[i]), folder, unique_name(results[i].curve.file, taken)))
-      spdlog::warn("{}", *warning);
-  write_document(measured_document(results, options, command_line()), (folder / "fit.json").string());
+    for (const FittedCurve& curve : result.curves) fmt::print("{}\n", measured_text(curve));
+  if (!flags.json.empty()) write_json(result, flags.json);
+  if (!flags.out.empty()) write_fit_files(result, output_folder(flags.out));
   return 0;
 }
 

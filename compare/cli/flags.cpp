@@ -6,7 +6,6 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/units.hpp"
-#include "compare/input/bulge_case.hpp"
 
 namespace validate {
 namespace {
@@ -17,24 +16,63 @@ std::string flag_of(const Field& field) { return fmt::format("--{}", field.name)
 std::string placeholder(const Field& field, double) { return field.unit.empty() ? "NUMBER" : "VALUE"; }
 std::string placeholder(const Field& field, const std::optional<double>&) { return placeholder(field, 0.0); }
 std::string placeholder(const Field&, const std::string&) { return "NAME"; }
+template <Worded Enum>
+std::string placeholder(const Field&, const Enum&) {
+  return "NAME";
+}
+template <Worded Enum>
+std::string placeholder(const Field&, const std::vector<Enum>&) {
+  return "NAME,...";
+}
 std::string placeholder(const Field& field, const std::vector<double>&) { return placeholder(field, 0.0) + ",..."; }
-std::string placeholder(const Field&, const std::vector<std::string>&) { return "NAME,..."; }
 
 std::string shown_default(double value) { return fmt::format("{}", value); }
 std::string shown_default(const std::optional<double>& value) { return value ? shown_default(*value) : ""; }
 std::string shown_default(const std::string& value) { return value; }
 std::string shown_default(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, ",")); }
-std::string shown_default(const std::vector<std::string>& values) { return fmt::format("{}", fmt::join(values, ",")); }
+
+template <Worded Enum>
+std::string shown_default(const Enum& value) {
+  return std::string(to_string(value));
+}
+template <Worded Enum>
+std::string shown_default(const std::vector<Enum>& values) {
+  std::vector<std::string_view> words;
+  for (const Enum value : values) words.push_back(to_string(value));
+  return fmt::format("{}", fmt::join(words, ","));
+}
 
 bool is_number(const std::string&) { return false; }
-bool is_number(const std::vector<std::string>&) { return false; }
+template <Worded Enum>
+bool is_number(const Enum&) {
+  return false;
+}
+template <Worded Enum>
+bool is_number(const std::vector<Enum>&) {
+  return false;
+}
 template <class Number>
 bool is_number(const Number&) {
   return true;
 }
 
+/// The field with its choices: an enumerator's are its words.
 template <class Value>
-std::string help_line(const Field& field, const Value& value) {
+Field with_choices(const Field& field, const Value&) {
+  return field;
+}
+template <Worded Enum>
+Field with_choices(const Field& field, const Enum&) {
+  return with_words<Enum>(field);
+}
+template <Worded Enum>
+Field with_choices(const Field& field, const std::vector<Enum>&) {
+  return with_words<Enum>(field);
+}
+
+template <class Value>
+std::string help_line(const Field& plain, const Value& value) {
+  const Field field = with_choices(plain, value);
   std::string line(field.meaning);
   if (!field.choices.empty()) line += fmt::format("; {}", fmt::join(field.choices, ", "));
   if (is_number(value)) line += fmt::format("; {}", describe_range(field));
@@ -102,17 +140,20 @@ void read(const Field& field, const CLI::Option& option, std::vector<double>& va
     values.push_back(parse_number(field, part, flag_of(field)));
   }
 }
-void read(const Field& field, const CLI::Option& option, std::vector<std::string>& values) {
+template <Worded Enum>
+void read(const Field& field, const CLI::Option& option, Enum& value) {
+  value = *from_word<Enum>(parse_text(with_words<Enum>(field), single_text(field, option), flag_of(field)));
+}
+template <Worded Enum>
+void read(const Field& field, const CLI::Option& option, std::vector<Enum>& values) {
   values.clear();
-  for (const auto& part : parts_of(option)) {
-    values.push_back(parse_text(field, part, flag_of(field)));
-  }
+  for (const auto& part : parts_of(option))
+    values.push_back(*from_word<Enum>(parse_text(with_words<Enum>(field), part, flag_of(field))));
 }
 
 }  // namespace
 
-CaseFlags::CaseFlags(CLI::App& command) : command_(command) {
-  const Case defaults;
+CaseFlags::CaseFlags(CLI::App& command, const Case& defaults) : command_(command) {
   describe(defaults, AddFlag{command});
 }
 
@@ -162,25 +203,6 @@ std::vector<Variant> CaseFlags::variants() const {
   return all;
 }
 
-template <class Described>
-void add_flags(CLI::App& command) {
-  const Described defaults;
-  describe(defaults, AddFlag{command});
-}
-
-template <class Described>
-void apply_flags(const CLI::App& command, Described& described, Origins& origins) {
-  describe(described, [&](const Field& field, auto& value) {
-    const CLI::Option& option = *command.get_option(flag_of(field));
-    if (option.count() == 0) return;
-    read(field, option, value);
-    origins[std::string(field.name)] = flag_of(field);
-  });
-}
-
-template void add_flags<BulgeCase>(CLI::App&);
-template void apply_flags<BulgeCase>(const CLI::App&, BulgeCase&, Origins&);
-
 void add_run_options(CLI::App& command, RunOptions& options) {
   const auto add_path = [&](const char* name, std::optional<std::filesystem::path>& path, const char* meaning) {
     const auto read_path = [&path, name](const std::string& text) {
@@ -208,6 +230,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_switch("--quiet", options.quiet, "no progress on stderr");
   add_switch("--resume", options.resume, "continue an unfinished run in --out");
   add_switch("--overwrite", options.overwrite, "replace a finished run in --out");
+  add_switch("--all-fields", options.all_fields,
+             "fields of the membranes (ParaView, run.h5) at every depth, not at the last only: 2 MB a depth and curve");
 }
 
 void check(const RunOptions& options) {

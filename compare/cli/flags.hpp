@@ -20,7 +20,8 @@ struct Variant {
 /// The flags of a case. Lives as long as the command that it was added to.
 class CaseFlags {
  public:
-  explicit CaseFlags(CLI::App& command);
+  /// The defaults are shown in --help.
+  CaseFlags(CLI::App& command, const Case& defaults);
 
   /// Overwrites the fields whose flags were given and adds "--flag" as their origin.
   /// Throws Error (bad input) that names the flag, the value and what is allowed.
@@ -33,15 +34,6 @@ class CaseFlags {
  private:
   const CLI::App& command_;
 };
-
-/// Adds a flag for every field of a described struct, its value in `Described{}` as the default.
-template <class Described>
-void add_flags(CLI::App& command);
-
-/// Overwrites the fields whose flags were given and adds "--flag" as their origin. Throws Error (bad input) that names
-/// the flag, the value and what is allowed.
-template <class Described>
-void apply_flags(const CLI::App& command, Described& described, Origins& origins);
 
 /// Adds the flags of a run; the options must outlive the parsing.
 void add_run_options(CLI::App& command, RunOptions&);

@@ -23,6 +23,7 @@
 #include "compare/cli/model.hpp"
 #include "compare/cli/potential.hpp"
 #include "compare/cli/report.hpp"
+#include "compare/cli/schema.hpp"
 #include "compare/cli/verify.hpp"
 #include "compare/process/provenance.hpp"
 
@@ -40,7 +41,8 @@ constexpr std::array commands = {
     Command{"bulge", validate::add_bulge},   Command{"figure", validate::add_figure},
     Command{"fit", validate::add_fit},       Command{"indentation", validate::add_indentation},
     Command{"model", validate::add_model},   Command{"potential", validate::add_potential},
-    Command{"report", validate::add_report}, Command{"verify", validate::add_verify},
+    Command{"report", validate::add_report}, Command{"schema", validate::add_schema},
+    Command{"verify", validate::add_verify},
 };
 
 int fail(ExitCode code, std::string_view message) {

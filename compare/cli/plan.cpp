@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compare/documents/texts/summary_json.hpp"
+#include "compare/documents/texts/json.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
@@ -35,14 +35,14 @@ std::string atoms_plan(const Case& c, const atomistic::Potential& potential, std
 
 std::string plan_text(const Case& c, const std::optional<PotentialFile>& potential, const AtomsLaunch& launch) {
   const std::size_t levels = c.forces_eV_per_A.empty() ? depth_levels(c).size() : c.forces_eV_per_A.size();
-  std::string text = "case: " + case_document(c).dump(1) + "\n";
+  std::string text = "case: " + document(c).dump(1) + "\n";
   if (potential) text += fmt::format("potential file: {}\n", potential->potential.file);
-  if (c.models != "atomistic") {
+  if (c.models != Models::atomistic) {
     const int rings = membrane::DiscSheet{}.rings;
     text += fmt::format("membrane: {} triangles on a quarter, {} curve(s) of {} levels\n", rings * rings,
                         c.loads.size() * (potential ? 2 : 1), levels);
   }
-  if (potential && c.models != "membrane") text += atoms_plan(c, potential->potential, levels, launch.cores);
+  if (potential && c.models != Models::membrane) text += atoms_plan(c, potential->potential, levels, launch.cores);
   return text;
 }
 

@@ -13,8 +13,10 @@
 #include "compare/base/paths.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/card_files.hpp"
+#include "compare/documents/texts/json.hpp"
 #include "compare/potential/potential_card.hpp"
 #include "compare/potential/switch_length.hpp"
+#include "compare/study/summaries.hpp"
 
 namespace validate {
 namespace {
@@ -68,14 +70,13 @@ int potential(const Options& options) {
   }
   catch_interrupts();
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = 1};
-  const PotentialCard card = potential_card(file, launch, card_cache(), options.refresh);
+  const Result result = potential_result(potential_card(file, launch, card_cache(), options.refresh));
   if (options.out) {
     make_folder(*options.out);
-    if (const auto missing = write_card_files(card, *options.out)) spdlog::warn("{}", *missing);
+    if (const auto missing = write_card_files(result, *options.out)) spdlog::warn("{}", *missing);
   }
-  const std::string document = card_document(card).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  if (options.json && *options.json != "-") write_file(*options.json, document);
-  print(options.json && *options.json == "-" ? document : card_table(card));
+  if (options.json) write_json(result, options.json->string());
+  if (!options.json || *options.json != "-") print(card_table(result));
   return 0;
 }
 

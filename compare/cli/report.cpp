@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "compare/documents/run_h5_read.hpp"
+#include "compare/documents/bytes/run_h5_read.hpp"
 #include "compare/documents/texts/report_html.hpp"
 #include "compare/process/run_record.hpp"
 

@@ -13,7 +13,9 @@
 #include "compare/base/file.hpp"
 #include "compare/base/nearest.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/verify_table.hpp"
+#include "compare/process/provenance.hpp"
 #include "compare/verify/groups.hpp"
 
 namespace validate {
@@ -79,11 +81,12 @@ int verify_command(const VerifyFlags& flags) {
   const std::vector<Group> groups = chosen(flags);
   Progress progress(flags.quiet);
   const std::vector<Row> rows = rows_of(groups, progress);
-  const std::string json = verify::table_json(rows).dump(2) + "\n";
+  Result result = verify::verification_result(rows);
+  result.provenance = provenance(command_line());
+  const std::string json = json_text(result);
   write_files(flags, rows, json);
-  const bool all_pass = std::ranges::all_of(rows, verify::passes);
   fmt::print("{}", flags.json == "-" ? json : verify::table_text(rows));
-  return static_cast<int>(all_pass ? ExitCode::success : ExitCode::disagreement);
+  return result.exit_code;
 }
 
 std::string footer() {

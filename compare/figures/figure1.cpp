@@ -182,10 +182,9 @@ Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
 }  // namespace
 
 PaperFigure figure1(const FigureContext& context) {
-  PaperFigure figure{.number = 1,
-                     .title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165",
-                     .panels = {},
-                     .numbers = {}};
+  PaperFigure figure;
+  figure.number = 1;
+  figure.title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165";
   for (const double a : {5000.0, 7500.0}) figure.panels.push_back(panel(a, figure, context));
   return figure;
 }

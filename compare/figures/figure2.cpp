@@ -52,7 +52,7 @@ StudyOutcome study(const std::string& potential, const FigureContext& context) {
   const std::filesystem::path folder = context.work / std::filesystem::path(potential).stem();
   std::filesystem::create_directories(folder / "work");
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = available_cores()};
-  StudyOutcome outcome = run_study(c, file, {launch, 0, folder}, context.progress);
+  StudyOutcome outcome = run_study(Command::indentation, c, file, {launch, 0, folder}, context.progress);
   if (!outcome.failure.empty()) throw Error(ExitCode::atomistic_failed, outcome.failure);
   return outcome;
 }
@@ -69,7 +69,7 @@ PlotCurve curve_of(const Run& run, const std::string& name, Colour colour, std::
 void add_runs(Panel& point, Panel& disc, const Result& result, const std::string& potential, Colour colour,
               bool first) {
   for (const Run& run : result.runs) {
-    std::vector<PlotCurve>& curves = (run.load == "point" ? point : disc).curves;
+    std::vector<PlotCurve>& curves = (run.load == LoadKind::point ? point : disc).curves;
     if (run.model == Model::atomistic)
       curves.push_back(curve_of(run, potential + ", atoms", colour, std::nullopt));
     else if (run.constants == Constants::card)
@@ -91,7 +91,7 @@ void add_ratios(Panel& point, Panel& disc, const Result& result, const std::stri
       curve.x.push_back(c.depth_relative[i]);
       curve.y.push_back(c.force_ratio[i]);
     }
-    (c.load == "point" ? point : disc).curves.push_back(std::move(curve));
+    (c.load == LoadKind::point ? point : disc).curves.push_back(std::move(curve));
   }
 }
 
@@ -158,8 +158,9 @@ Panel ratio_panel(const std::string& load) {
 }  // namespace
 
 PaperFigure figure2(const FigureContext& context) {
-  PaperFigure figure{
-      .number = 2, .title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16", .panels = {}, .numbers = {}};
+  PaperFigure figure;
+  figure.number = 2;
+  figure.title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16";
   Panel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
   Panel point_ratio = ratio_panel("point"), disc_ratio = ratio_panel("disc");
   for (std::size_t i = 0; i < context.potentials.size(); ++i) {

@@ -99,10 +99,9 @@ void add(PaperFigure& figure, const char* name, const membrane::Load& load, cons
 }  // namespace
 
 PaperFigure figure3(const FigureContext& context) {
-  PaperFigure figure{.number = 3,
-                     .title = "larger principal Cauchy stress, 1936 triangles, rim at 0.125 eV/Å³",
-                     .panels = {},
-                     .numbers = {}};
+  PaperFigure figure;
+  figure.number = 3;
+  figure.title = "larger principal Cauchy stress, 1936 triangles, rim at 0.125 eV/Å³";
   add(figure, "point load", membrane::PointLoad{}, context);
   add(figure, "disc of 10 Å", membrane::DiscLoad{tip_A}, context);
   return figure;

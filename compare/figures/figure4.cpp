@@ -63,10 +63,9 @@ void add_numbers(PaperFigure& figure, const Square& square) {
 PaperFigure figure4(const FigureContext& context) {
   context.progress.say("figure 4: pressurised square");
   const Square square = solve_square(paper_problem(), thickness_A);
-  PaperFigure figure{.number = 4,
-                     .title = "square of 220 Å under 5.16529e-4 eV/Å³, edges in their plane, 7200 triangles",
-                     .panels = {},
-                     .numbers = {}};
+  PaperFigure figure;
+  figure.number = 4;
+  figure.title = "square of 220 Å under 5.16529e-4 eV/Å³, edges in their plane, 7200 triangles";
   figure.panels.push_back(square_panel("smaller principal Cauchy stress", "eV/Å³", "smaller_principal_stress_eV_per_A3",
                                        square, [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
   figure.panels.back().scale.low = 0, figure.panels.back().scale.high = 0.045;  // the paper's

@@ -7,26 +7,13 @@
 
 #include "compare/base/progress.hpp"
 #include "compare/documents/plots/plot.hpp"
+#include "compare/results/checks.hpp"
 
 namespace validate {
 
-/// A published number, or one computed with codes written separately, beside ours.
-struct FigureNumber {
-  std::string what, unit, source;
-  double reference = 0, ours = 0;
-  double tolerance = 0;  ///< relative; 0: a difference that is the point of the figure
-  std::string comment;   ///< where they differ, why
-};
-
-/// Whether ours is within the tolerance; true where none is asked.
-bool passes(const FigureNumber& number);
-
-struct PaperFigure {
-  int number = 0;
-  std::string title;
+/// What is drawn, and the numbers beside their references.
+struct PaperFigure : FigureResult {
   std::vector<Panel> panels;  ///< two to a row
-  std::vector<FigureNumber> numbers;
-  std::vector<std::string> remarks = {};  ///< what the numbers alone do not say
 };
 
 /// What making a figure may use.

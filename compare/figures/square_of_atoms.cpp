@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "compare/base/paper.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/figures/square.hpp"
@@ -15,20 +16,18 @@
 #include "compare/figures/undulation.hpp"
 #include "compare/figures/virial_field.hpp"
 #include "compare/potential/potential_card.hpp"
-#include "compare/study/bulge_atoms.hpp"
 
 namespace validate {
 namespace {
 
-constexpr double side_A = 220, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
-constexpr int cells = 20;                                        // of the virials' field: 11 Å, some 45 atoms
+using paper::pressure_eV_per_A3;
+using paper::side_A;
+constexpr int cells = 20;      // of the virials' field: 11 Å, some 45 atoms
 constexpr double line_A = 11;  // from a side to the line on which waves are looked for
 
-BulgeCase square_case(const std::string& potential) {
-  BulgeCase c;  // the paper's square
-  c.size_A = side_A;
-  c.extent = "full";
-  c.pressures_eV_per_A3 = {pressure_eV_per_A3};
+Case square_case(const std::string& potential) {
+  Case c = bulge_defaults();  // the paper's square
+  c.extent = Extent::full;
   c.potential = potential;
   return c;
 }
@@ -54,7 +53,7 @@ Panel virial_panel(const std::string& title, const std::vector<VirialCell>& fiel
 }
 
 /// Where the four sides are in their plane: folds show as notches.
-Panel edges_panel(const std::string& name, const BulgePair& pair, const Found& found, const Square& membrane) {
+Panel edges_panel(const std::string& name, const PairedSquare& pair, const Found& found, const Square& membrane) {
   Panel panel = seen_from_above("sides, seen from above", 120);
   panel.legend = Legend::centre;
   PlotCurve atoms{.name = name + ", atoms", .x = {}, .y = {}, .colour = colour_of_atoms};
@@ -78,7 +77,7 @@ Panel edges_panel(const std::string& name, const BulgePair& pair, const Found& f
 /// A line along one of the four sides, line_A inside it in the flat sheet: place along it, and where the sheet is in
 /// the direction of the line's mean normal. In each stretch of 5 Å a straight line through the rows of atoms nearby is
 /// read at line_A, so that the slope of the wall does not show as waves.
-Profile along_side(const BulgePair& pair, const Eigen::VectorXd& positions, int side) {
+CrossSection along_side(const PairedSquare& pair, const Eigen::VectorXd& positions, int side) {
   constexpr double stretch_A = 5, reach_A = 4;
   const int across = side % 2, along = 1 - across;
   const double at = (side < 2 ? 1 : -1) * (pair.size_A[across] / 2 - line_A);
@@ -99,7 +98,7 @@ Profile along_side(const BulgePair& pair, const Eigen::VectorXd& positions, int 
     Sums& sum = sums[static_cast<std::size_t>(k)];
     sum.n += 1, sum.d += d, sum.u += u, sum.dd += d * d, sum.du += d * u;
   }
-  Profile line;
+  CrossSection line;
   for (int k = 0; k < stretches; ++k) {
     const Sums& sum = sums[static_cast<std::size_t>(k)];
     const double determinant = sum.n * sum.dd - sum.d * sum.d;
@@ -114,14 +113,14 @@ Profile along_side(const BulgePair& pair, const Eigen::VectorXd& positions, int 
 
 constexpr std::array side_names = {"right", "top", "left", "bottom"};
 
-Panel sides_panel(const BulgePair& pair, const Found& found) {
+Panel sides_panel(const PairedSquare& pair, const Found& found) {
   Panel panel{.title = fmt::format("atoms along the sides, {:g} Å inside: out of the mean plane there", line_A),
               .x = {.label = "place along the side in the flat sheet", .unit = "Å", .key = "place_A"},
               .y = {.label = "along the mean normal", .unit = "Å", .key = "out_of_plane_A"},
               .legend = Legend::right_top};
   panel.x.low = -112, panel.x.high = 112;
   for (std::size_t side = 0; side < side_names.size(); ++side) {
-    const Profile line = along_side(pair, found.step.positions, static_cast<int>(side));
+    const CrossSection line = along_side(pair, found.step.positions, static_cast<int>(side));
     panel.curves.push_back({.name = side_names[side],
                             .x = line.x_A,
                             .y = line.z_A,
@@ -133,7 +132,7 @@ Panel sides_panel(const BulgePair& pair, const Found& found) {
 
 /// How far the atoms of an edge have come in at most, along its normal; a rotation of the whole sheet is taken out
 /// first.
-double pull_in(const BulgePair& pair, const Eigen::VectorXd& positions) {
+double pull_in(const PairedSquare& pair, const Eigen::VectorXd& positions) {
   double sine = 0, cosine = 0;
   const auto flat = [&](int i) -> Eigen::Vector2d { return pair.sheet.position(i).head<2>(); };
   for (int i = 0; i < pair.sheet.free_atoms; ++i) {
@@ -153,7 +152,7 @@ double pull_in(const BulgePair& pair, const Eigen::VectorXd& positions) {
 }
 
 /// The deepest fold along the sides: from the highest point of a line to its lowest.
-double deepest_fold(const BulgePair& pair, const Eigen::VectorXd& positions) {
+double deepest_fold(const PairedSquare& pair, const Eigen::VectorXd& positions) {
   double deepest = 0;
   for (int side = 0; side < 4; ++side) {
     const auto [low, high] = std::ranges::minmax(along_side(pair, positions, side).z_A);
@@ -162,10 +161,10 @@ double deepest_fold(const BulgePair& pair, const Eigen::VectorXd& positions) {
   return deepest;
 }
 
-Undulation mean_undulation(const BulgePair& pair, const Eigen::VectorXd& positions) {
+Undulation mean_undulation(const PairedSquare& pair, const Eigen::VectorXd& positions) {
   Undulation mean;
   for (int side = 0; side < 4; ++side) {
-    const Profile line = along_side(pair, positions, side);
+    const CrossSection line = along_side(pair, positions, side);
     const Undulation one = undulation_of(line.x_A, line.z_A);
     mean.amplitude_A += one.amplitude_A / 4;
     mean.wavelength_A += one.wavelength_A / 4;
@@ -201,7 +200,7 @@ Zones zones_of(const std::vector<VirialCell>& field, const Square& membrane) {
   return zones;
 }
 
-void add_numbers(PaperFigure& figure, const std::string& name, const BulgePair& pair, const Found& found,
+void add_numbers(PaperFigure& figure, const std::string& name, const PairedSquare& pair, const Found& found,
                  const Square& membrane, const std::vector<VirialCell>& field) {
   const std::string source = "membrane with the card's constants";
   const Zones zones = zones_of(field, membrane);
@@ -217,7 +216,7 @@ void add_numbers(PaperFigure& figure, const std::string& name, const BulgePair& 
   add("wrinkled share", "1", membrane.wrinkled_share, zones.wrinkled_share);
 }
 
-void add_remarks(PaperFigure& figure, const std::string& name, const BulgePair& pair, const std::vector<Found>& all,
+void add_remarks(PaperFigure& figure, const std::string& name, const PairedSquare& pair, const std::vector<Found>& all,
                  const Square& membrane, const std::vector<VirialCell>& field) {
   const Zones zones = zones_of(field, membrane);
   const Undulation waves = mean_undulation(pair, all.front().step.positions);
@@ -250,7 +249,7 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   const PotentialFile file = read_potential(potential, inputs_folder() / "potentials", "--potential");
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = available_cores()};
   const PotentialCard card = potential_card(file, launch, card_cache(), false);
-  const BulgePair pair = pair_bulge(square_case(potential), card);
+  const PairedSquare pair = paired_square(square_case(potential), file, card);
   context.progress.say(fmt::format("figure 4: {} atoms, {} starts", pair.sheet.atoms(), context.starts));
   const Square membrane = solve_square(pair.membrane, 1);  // over a thickness of 1 Å stresses are membrane forces
   const std::vector<Found> all = search_states(pair, pressure_eV_per_A3, launch, context);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compare/process/atoms_curves.hpp"
+#include "compare/study/levels.hpp"
 
 namespace validate {
 namespace {
@@ -50,7 +51,15 @@ Found found_of(const AtomsCurve& curve, double pressure, int k) {
 
 }  // namespace
 
-std::vector<Found> search_states(const BulgePair& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,
+PairedSquare paired_square(const Case& c, const PotentialFile& file, const PotentialCard& card) {
+  const PairedSheet sheet(c, file.potential, card.card);
+  PairedLoad load = pair(c, {file, card, sheet}).front();
+  set_levels(c, load);
+  return {sheet.sheet(), load.atoms->problem, std::get<membrane::Problem>(load.find(Purpose::like_for_like)->problem),
+          2 * sheet.half_A()};
+}
+
+std::vector<Found> search_states(const PairedSquare& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,
                                  const FigureContext& context) {
   std::vector<AtomsPath> paths;
   for (int k = 0; k < context.starts; ++k) paths.push_back(path_of(pair.atoms, pressure_eV_per_A3, k));

@@ -5,10 +5,20 @@
 #include <vector>
 
 #include "compare/figures/paper_figure.hpp"
-#include "compare/pairing/bulge_pairing.hpp"
+#include "compare/pairing/pairing.hpp"
 #include "compare/process/atoms.hpp"
 
 namespace validate {
+
+/// The square as atoms, and its membrane with the card's constants.
+struct PairedSquare {
+  atomistic::Sheet sheet;
+  atomistic::Problem atoms;
+  membrane::Problem membrane;
+  Eigen::Vector2d size_A;  ///< lengths of the membrane
+};
+
+PairedSquare paired_square(const Case& c, const PotentialFile& file, const PotentialCard& card);
 
 /// One search and where it ended.
 struct Found {
@@ -26,7 +36,7 @@ struct Found {
 ///   2, …: the full pressure at once on a sheet with random ripples of 0.5 Å.
 /// Lowest potential first; a search that did not come to the full pressure is left out. Throws Error: atomistic failed;
 /// not converged where none came there; interrupted.
-std::vector<Found> search_states(const BulgePair& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,
+std::vector<Found> search_states(const PairedSquare& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,
                                  const FigureContext& context);
 
 }  // namespace validate

@@ -9,8 +9,8 @@
 #include "compare/documents/bytes/h5.hpp"
 #include "compare/documents/plots/draw.hpp"
 #include "compare/documents/plots/plot_csv.hpp"
-#include "compare/documents/texts/summary_json.hpp"
 #include "compare/figures/paper_figure.hpp"
+#include "compare/results/result.hpp"
 
 namespace validate {
 namespace {
@@ -43,7 +43,7 @@ void write_h5(const PaperFigure& figure, const std::filesystem::path& target) {
   h5::File file(pending.path());
   {
     h5::Group& root = file.root();
-    root.attribute("schema", summary_schema);
+    root.attribute("schema", document_schema);
     root.attribute("title", figure.title);
     h5::Group panels = root.group("panels");
     for (std::size_t p = 0; p < figure.panels.size(); ++p) {
@@ -81,10 +81,6 @@ void write_h5(const PaperFigure& figure, const std::filesystem::path& target) {
 }
 
 }  // namespace
-
-bool passes(const FigureNumber& n) {
-  return n.tolerance <= 0 || std::abs(n.ours - n.reference) <= n.tolerance * std::abs(n.reference);
-}
 
 std::string numbers_text(const PaperFigure& figure) {
   std::string text = fmt::format("Figure {}: {}\n{:<66}{:>10}{:>11}  {:<6}{:>8}\n", figure.number, figure.title, "",

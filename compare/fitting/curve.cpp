@@ -43,7 +43,7 @@ Curve::Curve(std::span<const double> depth_A, std::span<const double> force_eV_p
   gsl_interp_init(interpolation_.get(), log_depth_.data(), log_force_.data(), sorted.size());
 }
 
-Curve::Curve(const Run& run) : Curve(usable(run, run.depth_A), usable(run, run.force_eV_per_A)) {}
+Curve::Curve(const Run& run) : Curve(usable(run, run.depth_A), usable(run, load_values(run))) {}
 
 double Curve::lowest_A() const { return std::exp(log_depth_.front()); }
 double Curve::highest_A() const { return std::exp(log_depth_.back()); }

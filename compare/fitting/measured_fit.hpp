@@ -9,7 +9,7 @@
 #include "compare/fitting/models/list.hpp"
 #include "compare/fitting/run_fit.hpp"
 #include "compare/input/measured_curve.hpp"
-#include "compare/results/result.hpp"
+#include "compare/results/measured.hpp"
 
 namespace validate {
 
@@ -28,19 +28,8 @@ struct MeasuredOptions {
   CurveFitOptions fit;
 };
 
-/// One curve and what was found.
-struct MeasuredResult {
-  MeasuredCurve curve;                          ///< as read
-  std::vector<double> depth_A, force_eV_per_A;  ///< the points used, zeros taken off
-  double baseline_eV_per_A = 0;                 ///< taken off
-  Fit fit;
-  WindowScan scan;
-  std::string direct_skipped;                                 ///< why not
-  std::vector<double> direct_depth_A, direct_force_eV_per_A;  ///< of the membrane itself, depths as in depth_A
-  std::optional<double> torn_at_A;  ///< the sheet that was fitted ends here, and the fit of it with it
-};
-
-/// Throws Error (bad input) where too few points are left, and where the fit does not work, with the reason.
-MeasuredResult evaluate(MeasuredCurve curve, const MeasuredOptions& options);
+/// The fits are of the closed form and, where it works, of the sheet itself, its depths those of the curve. Throws
+/// Error (bad input) where too few points are left, and where the fit does not work, with the reason.
+FittedCurve evaluate(const MeasuredCurve& curve, const MeasuredOptions& options);
 
 }  // namespace validate

@@ -123,7 +123,8 @@ SheetPhysics third_order_physics(double nu, double D, double bending_eV) {
             return membrane::LeeGraphene{Eh, nu, D};
           },
           bending_eV,
-          fmt::format("sheet of third order, D = {:.4g} N/m, κ = {:.3g} eV", D * N_per_m_per_eV_per_A2, bending_eV)};
+          fmt::format("sheet of third order, D = {:.4g} N/m, κ = {:.3g} eV", D * N_per_m_per_eV_per_A2, bending_eV),
+          fitted_third_order};
 }
 
 std::vector<double> membrane_forces(const MembraneTip& tip, double Eh, double pretension,
@@ -191,6 +192,21 @@ bool settled(const std::vector<double>& before, const LeastSquaresReport& fit) {
          std::abs(fit.parameters[1] - before[1]) <= same * largest + 1e-9 * fit.parameters[0];
 }
 
+void report_fit(const MembraneTip& tip, const Points& points, const LeastSquaresReport& found, Fit& fit) {
+  fit.model = tip.physics ? tip.physics->model : fitted_membrane;
+  fit.Eh_eV_per_A2 = found.parameters[0];
+  fit.Eh_stderr_eV_per_A2 = found.standard_errors[0];
+  fit.pretension_eV_per_A2 = found.parameters[1];
+  fit.pretension_stderr_eV_per_A2 = found.standard_errors[1];
+  fit.rms_relative = rms(found.residuals) / std::ranges::max(points.force);
+  fit.window_A = {std::ranges::min(points.depth), std::ranges::max(points.depth)};
+  fit.points = static_cast<int>(points.depth.size());
+  fit.fitted_depth_A = points.depth;
+  fit.residual_eV_per_A = found.residuals;
+  for (std::size_t i = 0; i < points.force.size(); ++i)
+    fit.model_force_eV_per_A.push_back(points.force[i] - found.residuals[i]);
+}
+
 }  // namespace
 
 MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth,
@@ -212,7 +228,7 @@ MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>
       const ForceRatio ratio(tip, parameters[0], std::max(parameters[1], 0.0), points.depth, shallow);
       const bool torn = tip.physics && !ratio.ended_early().empty();
       if (torn) {
-        result.torn_at_A = ratio.deepest();
+        result.fit.torn_at_A = ratio.deepest();
         points.keep_up_to(ratio.deepest() / enclosing);
       }
       fit = fitted(scaled(shallow, ratio), points, parameters);
@@ -228,11 +244,7 @@ MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>
       if (result.reason.empty()) result.reason = fit.converged ? "E·h and pretension did not settle" : fit.reason;
       return result;
     }
-    result.fit = {fit.parameters[0], fit.standard_errors[0], fit.parameters[1], fit.standard_errors[1],
-                  rms(fit.residuals) / std::ranges::max(points.force)};
-    result.depth_A = points.depth;
-    for (std::size_t i = 0; i < points.force.size(); ++i)
-      result.force_eV_per_A.push_back(points.force[i] - fit.residuals[i]);
+    report_fit(tip, points, fit, result.fit);
   } catch (const std::exception& problem) {
     result.reason = problem.what();
   }

@@ -16,6 +16,7 @@ struct SheetPhysics {
   std::function<membrane::Law(double Eh_eV_per_A2)> law;  ///< a law of any sheet modulus
   double bending_eV = 0;                                  ///< κ; a sheet that bends is not relaxed
   std::string name;                                       ///< in words
+  std::string model = fitted_sheet;                       ///< as Fit::model has it
 };
 
 /// The potential's own law, its stress in proportion to the sheet modulus.
@@ -37,11 +38,8 @@ struct MembraneFitReport {
   bool converged = false;
   std::string reason;  ///< why not
   int iterations = 0;  ///< curves of the membrane that were solved
-  DirectFit fit;
-  std::vector<double> depth_A, force_eV_per_A;  ///< of the fitted membrane, at the points that were fitted
-  /// Depth at which a sheet that softens was last found, and beyond which its law lets it tear: deeper points are left
-  /// out.
-  std::optional<double> torn_at_A;
+  Fit fit;  ///< with the forces of the fitted sheet; `torn_at`: where a sheet that softens was last found, and beyond
+            ///< which its law lets it tear: deeper points are left out
 };
 
 /// Forces (eV/Å) of a membrane at depths of record (Å). Throws std::runtime_error where the membrane is not solved.

@@ -133,7 +133,7 @@ namespace {
 
 std::string too_few(const Run& run, std::size_t usable) {
   std::size_t artefacts = 0, unconverged = 0;
-  for (const bool flag : run.artefact) artefacts += flag;
+  if (run.is_atomistic()) artefacts = static_cast<std::size_t>(std::ranges::count(run.atoms().artefact, true));
   for (const bool flag : run.converged) unconverged += !flag;
   return fmt::format("{} usable points of {} ({} in the artefact zone, {} not converged); a fit needs {}", usable,
                      run.depth_A.size(), artefacts, unconverged, fewest_points_to_fit);
@@ -155,9 +155,13 @@ UsablePoints usable(const Run& run) {
 }  // namespace
 
 void fit_run(Run& run) {
-  run.fit.reset();
+  run.fits.clear();
   run.fit_skipped.clear();
   run.scan = {};
+  if (run.load == LoadKind::pressure) {
+    run.fit_skipped = "Eq. 16 is for an indenter, not for a pressure";
+    return;
+  }
   const UsablePoints points = usable(run);
   if (points.depth.size() < fewest_points_to_fit) {
     run.fit_skipped = too_few(run, points.depth.size());
@@ -174,7 +178,8 @@ void fit_run(Run& run) {
     run.fit_skipped = *reason;
     return;
   }
-  run.fit = std::get<Fit>(std::move(found));
+  run.fits.push_back(std::get<Fit>(std::move(found)));
+  run.fits.back().model = "eq16";
   run.scan = scan_window(model, points.depth, points.force);
 }
 
@@ -213,21 +218,21 @@ std::optional<Fit> membranes_fit(const Run& membrane, const std::vector<double>&
 
 void add_biases(Result& result) {
   for (Run& run : result.runs) {
-    if (!run.fit) continue;
-    const Run* membrane = like_for_like(result, run);
+    Fit* fit = closed_form_fit(run.fits);
+    const Run* membrane = fit ? like_for_like(result, run) : nullptr;
     if (!membrane) continue;
-    const auto read = membranes_fit(*membrane, run.fit->fitted_depth_A);
-    if (read) run.fit->bias = fit_bias(*run.fit, *read, membrane->Eh_eV_per_A2, membrane->pretension_eV_per_A2);
+    const auto read = membranes_fit(*membrane, fit->fitted_depth_A);
+    if (read) fit->bias = fit_bias(*fit, *read, membrane->Eh_eV_per_A2, membrane->pretension_eV_per_A2);
   }
 }
 
 void add_direct_fits(Result& result) {
   for (Run& run : result.runs) {
-    if (!run.fit) continue;
+    if (!closed_form_fit(run.fits)) continue;
     const UsablePoints points = usable(run);
-    const MembraneTip tip{run.a_A, run.nu, run.tip_A, run.record_radius_A, run.load == "sphere"};
+    const MembraneTip tip{run.a_A, run.nu, run.tip_A, run.record_radius_A, run.load == LoadKind::sphere};
     const MembraneFitReport report = fit_membrane(tip, points.depth, points.force, {});
-    if (report.converged) run.fit->direct = report.fit;
+    if (report.converged) run.fits.push_back(report.fit);
   }
 }
 

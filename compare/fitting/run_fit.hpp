@@ -38,16 +38,16 @@ WindowScan scan_window(const AnyCurveModel& model, const std::vector<double>& de
 /// fit.
 FitBias fit_bias(const Fit& fit, const Fit& membranes, double Eh_true, double pretension_true);
 
-/// Fits Eq. 16 (radius and Poisson's ratio as the run used them) to the run's usable points and sets `fit`
-/// and `scan`, or `fit_skipped` with the reason where there is nothing to trust.
+/// Fits Eq. 16 (radius and Poisson's ratio as the run used them) to the run's usable points and sets `fits`
+/// and `scan`, or `fit_skipped` with the reason where there is nothing to trust, and for a pressure.
 void fit_run(Run& run);
 
-/// Adds to each fit its known bias: the like-for-like membrane's curve of the same load (for a membrane its
-/// own), at the depths of the fit, fitted in the same way.
+/// Adds to each closed form's fit its known bias: the like-for-like membrane's curve of the same load (for a membrane
+/// its own), at the depths of the fit, fitted in the same way.
 void add_biases(Result& result);
 
-/// Adds to each fit the membrane model itself, fitted to the same curve with the real tip. For a membrane that is a
-/// check: it must give back the constants.
+/// Adds to the fits of each run that of the membrane model itself, fitted to the same curve with the real tip. For a
+/// membrane that is a check: it must give back the constants.
 void add_direct_fits(Result& result);
 
 }  // namespace validate

@@ -18,6 +18,7 @@ constexpr double lattice_constant_A = 2.46;
 constexpr double smallest_atomistic_radius_A = 3 * lattice_constant_A;
 constexpr double smallest_atomistic_tip_A = 1.5;      // just holds the central hexagon
 constexpr double largest_atomistic_radius_A = 3000;   // 10.8 million atoms
+constexpr double largest_pressed_radius_A = 1000;     // under a pressure: 1.5 million atoms in a square
 constexpr double memory_warning_radius_A = 500;       // about 3 GiB for the preconditioner's factor
 constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
 
@@ -26,19 +27,23 @@ constexpr double largest_tip_of_radius = 0.95, smallest_tip_of_radius = 1e-6;
 constexpr double smallest_radius_A = 1e-3, largest_radius_A = 1e14;           // up to 10 km
 constexpr double smallest_Eh_eV_per_A2 = 1e-12, largest_Eh_eV_per_A2 = 1e12;  // 16 pN/m, 16 TN/m
 
-bool has_load(const Case& c, std::string_view load) {
-  return std::find(c.loads.begin(), c.loads.end(), load) != c.loads.end();
-}
-
 /// Loads that the tip radius describes.
-bool has_tip(const Case& c) { return has_load(c, "disc") || has_load(c, "sphere"); }
+bool has_tip(const Case& c) { return has_load(c, LoadKind::disc) || has_load(c, LoadKind::sphere); }
+
+/// Loads that press at the centre: they have depths as levels, or dead forces.
+bool has_indenter(const Case& c) { return has_tip(c) || has_load(c, LoadKind::point); }
 
 void check_loads(const Case& c, const Origins& origins) {
   if (c.loads.empty()) throw bad_input("{}: at least one load is needed", label_of(origins, "loads"));
   for (auto load = c.loads.begin(); load != c.loads.end(); ++load) {
     if (std::find(c.loads.begin(), load, *load) != load) {
-      throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), *load);
+      throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), to_string(*load));
     }
+  }
+  if (has_indenter(c) && (c.shape != Shape::disc || c.edge != Edge::clamped)) {
+    throw bad_input(
+        "{}: an indenter presses a clamped disc; a square, and an edge that slides, take the load 'pressure' alone",
+        label_of(origins, c.shape != Shape::disc ? "shape" : "edge"));
   }
   if (!has_tip(c)) return;
   if (!(c.tip_radius_A <= largest_tip_of_radius * c.radius_A)) {
@@ -60,14 +65,42 @@ void check_given_constants(const Case& c, const Origins& origins) {
     std::string& list = is_given ? given : missing;
     list += (list.empty() ? "" : ", ") + (is_given ? label_of(origins, name) : std::string(name));
   }
-  if (given.empty()) return;
+  const bool thickness_alone = c.thickness_A && !c.E_eV_per_A3 && !c.nu;  // what stresses are over
+  if (!c.potential.empty() && (given.empty() || thickness_alone)) return;
   if (!missing.empty()) {
-    throw bad_input("{}: a membrane with given constants needs E, thickness and nu; missing: {}", given, missing);
+    throw bad_input("{}: a membrane with given constants needs E, thickness and nu; missing: {}",
+                    given.empty() ? label_of(origins, "potential") : given, missing);
   }
-  if (c.models != "membrane") {
+  if (!c.potential.empty() && c.models != Models::membrane) {
     throw bad_input("{}: given constants describe a membrane alone: add --models membrane ({} is '{}')", given,
-                    label_of(origins, "models"), c.models);
+                    label_of(origins, "models"), to_string(c.models));
   }
+}
+
+void check_whole(const Case& c, const Origins& origins) {
+  if (c.cells && *c.cells != std::floor(*c.cells))
+    throw bad_input("{}: {} is not a whole number", label_of(origins, "cells"), *c.cells);
+  if (c.pretension_eV_per_A2 > 0 && c.edge == Edge::sliding)
+    throw bad_input("{}: an edge that slides cannot hold a pretension; use edge = \"clamped\"",
+                    label_of(origins, "pretension"));
+  if (c.shape == Shape::disc && c.edge == Edge::sliding && c.extent == Extent::full)
+    throw bad_input("{}: a full disc with a sliding rim can turn in its plane; use extent = \"quarter\"",
+                    label_of(origins, "extent"));
+}
+
+void check_pressures(const Case& c, const Origins& origins) {
+  if (!has_load(c, LoadKind::pressure)) return;
+  if (c.pressures_eV_per_A3.empty())
+    throw bad_input("{}: at least one pressure is needed", label_of(origins, "pressures"));
+  constexpr double graphene_eV_per_A2 = 8;  // of a potential whose card is not known yet: no potential is softer
+  const double Eh = has_given_constants(c) ? *c.E_eV_per_A3 * *c.thickness_A : graphene_eV_per_A2;
+  for (const double p : c.pressures_eV_per_A3)
+    if (!(p * 2 * c.radius_A <= 0.5 * Eh))
+      throw bad_input("{}: {} eV/Å³ over {} Å is beyond half of E × thickness: no such sheet stays whole",
+                      label_of(origins, "pressures"), p, 2 * c.radius_A);
+  if (!c.potential.empty() && c.models != Models::membrane && !(c.radius_A <= largest_pressed_radius_A))
+    throw bad_input("{}: {} Å is too large for a sheet of atoms; at most {} Å",
+                    label_of(origins, c.size_A ? "size" : "radius"), 2 * c.radius_A, 2 * largest_pressed_radius_A);
 }
 
 /// What a membrane of given constants can be and bear, in terms of its own modulus.
@@ -100,7 +133,7 @@ void check_lattice(const Case& c, const Origins& origins) {
     throw bad_input("{}: {} Å is too small for a sheet of atoms; at least three lattice constants, {:.2f} Å",
                     label_of(origins, "radius"), c.radius_A, smallest_atomistic_radius_A);
   }
-  if (c.models != "membrane" && !(c.radius_A <= largest_atomistic_radius_A)) {
+  if (c.models != Models::membrane && !(c.radius_A <= largest_atomistic_radius_A)) {
     throw bad_input(
         "{}: {} Å is too large for a sheet of atoms; at most {} Å (10.8 million atoms), "
         "or --models membrane",
@@ -124,6 +157,7 @@ void check_lattice(const Case& c, const Origins& origins) {
 }
 
 void check_levels(const Case& c, const Origins& origins) {
+  if (!has_indenter(c)) return;
   if (c.forces_eV_per_A.size() > most_levels) {
     throw bad_input("{}: {} levels are too many; at most {}", label_of(origins, "forces"), c.forces_eV_per_A.size(),
                     most_levels);
@@ -167,11 +201,11 @@ std::vector<std::string> warnings(const Case& c, const Origins& origins) {
     if (c.depth_max_A) {
       found.push_back(label_of(origins, "depth-max") + ": not used, because forces are given");
     }
-  } else if (largest_depth_A(c) >= c.radius_A / 2) {
+  } else if (has_indenter(c) && largest_depth_A(c) >= c.radius_A / 2) {
     found.push_back(fmt::format("{}: {:.6g} Å is half of the radius or more: a sheet is torn long before",
                                 label_of(origins, "depth-max"), largest_depth_A(c)));
   }
-  if (c.models != "membrane" && c.radius_A > memory_warning_radius_A) {
+  if (c.models != Models::membrane && c.radius_A > memory_warning_radius_A) {
     found.push_back(fmt::format("{}: a sheet of {} Å has about {:.1f} million atoms and needs several GiB of memory",
                                 label_of(origins, "radius"), c.radius_A, 1.2e-6 * c.radius_A * c.radius_A));
   }
@@ -179,6 +213,31 @@ std::vector<std::string> warnings(const Case& c, const Origins& origins) {
 }
 
 }  // namespace
+
+Case bulge_defaults() {
+  Case c;
+  c.shape = Shape::square;
+  c.edge = Edge::sliding;
+  c.potential.clear();
+  c.loads = {LoadKind::pressure};
+  c.pressures_eV_per_A3 = {5.16529e-4};
+  c.cells = 60;
+  return c;
+}
+
+void settle_size(Case& c, const Origins& origins) {
+  if (!c.size_A) return;
+  const auto by_flag = [&](const char* name) { return label_of(origins, name).starts_with("--"); };
+  if (origins.contains("radius") && by_flag("radius") == by_flag("size"))
+    throw bad_input("{}, {}: radius and size say the same thing; give one", label_of(origins, "radius"),
+                    label_of(origins, "size"));
+  if (origins.contains("radius") && by_flag("radius"))
+    c.size_A.reset();
+  else
+    c.radius_A = *c.size_A / 2;
+}
+
+bool has_load(const Case& c, LoadKind load) { return std::ranges::find(c.loads, load) != c.loads.end(); }
 
 bool has_given_constants(const Case& c) { return c.E_eV_per_A3 && c.thickness_A && c.nu; }
 
@@ -208,6 +267,8 @@ std::vector<std::string> check(const Case& c, const Origins& origins) {
     check_lattice(c, origins);
   }
   check_loads(c, origins);
+  check_whole(c, origins);
+  check_pressures(c, origins);
   check_levels(c, origins);
   check_places(c.vacancies_A, "vacancies", c, origins);
   check_places(c.stone_wales_A, "stone-wales", c, origins);

@@ -9,40 +9,76 @@
 
 #include "compare/base/describe.hpp"
 #include "compare/base/field_value.hpp"
+#include "compare/base/words.hpp"
 
 namespace validate {
 
-inline constexpr std::array<std::string_view, 3> load_names = {"point", "disc", "sphere"};
-inline constexpr std::array<std::string_view, 2> centre_names = {"hexagon", "atom"};
-inline constexpr std::array<std::string_view, 2> continuum_names = {"sheet", "membrane"};
-inline constexpr std::array<std::string_view, 3> model_names = {"membrane", "atomistic", "both"};
+enum class LoadKind { point, disc, sphere, pressure };
+constexpr auto words(LoadKind) {
+  return std::array{Word{LoadKind::point, "point"}, Word{LoadKind::disc, "disc"}, Word{LoadKind::sphere, "sphere"},
+                    Word{LoadKind::pressure, "pressure"}};
+}
+
+enum class Shape { disc, square };
+constexpr auto words(Shape) { return std::array{Word{Shape::disc, "disc"}, Word{Shape::square, "square"}}; }
+
+enum class Edge { clamped, sliding };
+constexpr auto words(Edge) { return std::array{Word{Edge::clamped, "clamped"}, Word{Edge::sliding, "sliding"}}; }
+
+/// Part of the sheet that is meshed.
+enum class Extent { quarter, full };
+constexpr auto words(Extent) { return std::array{Word{Extent::quarter, "quarter"}, Word{Extent::full, "full"}}; }
+
+enum class Models { membrane, atomistic, both };
+constexpr auto words(Models) {
+  return std::array{Word{Models::membrane, "membrane"}, Word{Models::atomistic, "atomistic"},
+                    Word{Models::both, "both"}};
+}
+
+/// What the atoms are held against. Sheet: the potential's own law, with bending; membrane: the paper's law with the
+/// card's constants.
+enum class Against { sheet, membrane };
+constexpr auto words(Against) { return std::array{Word{Against::sheet, "sheet"}, Word{Against::membrane, "membrane"}}; }
+
+/// What the axis goes through.
+enum class Centre { hexagon, atom };
+constexpr auto words(Centre) { return std::array{Word{Centre::hexagon, "hexagon"}, Word{Centre::atom, "atom"}}; }
 
 struct Case {
-  double radius_A = 110;
-  std::string potential = "airebo";
-  std::vector<std::string> loads = {"point", "disc"};
+  Shape shape = Shape::disc;
+  double radius_A = 110;         ///< of the free disc, half the side of a square
+  std::optional<double> size_A;  ///< the same in other words, see settle_size
+  Edge edge = Edge::clamped;
+  std::string potential = "airebo";  ///< empty: a membrane of given constants alone
+  std::vector<LoadKind> loads = {LoadKind::point, LoadKind::disc};
   double tip_radius_A = 10;
-  std::optional<double> depth_max_A;    ///< absent: 0.22 × radius
-  std::optional<double> depth_step_A;   ///< absent: 2 Å; radius / 55 for a membrane of given constants
-  std::vector<double> forces_eV_per_A;  ///< replaces the depth list when not empty
+  std::optional<double> depth_max_A;        ///< absent: 0.22 × radius
+  std::optional<double> depth_step_A;       ///< absent: 2 Å; radius / 55 for a membrane of given constants
+  std::vector<double> forces_eV_per_A;      ///< replaces the depth list when not empty
+  std::vector<double> pressures_eV_per_A3;  ///< levels of the load "pressure", in the order of the path
   double pretension_eV_per_A2 = 0;
-  std::string models = "both";  ///< membrane | atomistic | both
+  Models models = Models::both;
 
-  // [membrane] constants given by the user: all three or none
+  // [membrane] constants given by the user: E and nu with the thickness, or none; the thickness alone is what stresses
+  // are over
   std::optional<double> E_eV_per_A3, thickness_A, nu;
+  Extent extent = Extent::quarter;
+  std::optional<double>
+      cells;  ///< rings of a disc, cells along a side of the meshed part of a square; absent: the solver's own
+  bool unrelaxed = false;  ///< the sheet bears compression
 
   // [atomistic]
   double force_tolerance_eV_per_A = 1e-5;
   bool past_artefact = false;
-  bool unloading = false;                          ///< back through the depths that were reached
-  std::optional<double> switch_length_A;           ///< absent: the potential as it is
-  std::string centre = "hexagon";                  ///< what the axis goes through: hexagon | atom
+  bool unloading = false;                 ///< back through the depths that were reached
+  std::optional<double> switch_length_A;  ///< absent: the potential as it is
+  Centre centre = Centre::hexagon;
   double rotation_deg = 0;                         ///< of the lattice
   std::vector<double> vacancies_A, stone_wales_A;  ///< places x, y, x, y, …
 
   // [agreement]
-  std::string judged_load = "disc";
-  std::string against = "sheet";  ///< sheet: calibrated, with bending; membrane: the paper's law, card constants
+  LoadKind judged_load = LoadKind::disc;
+  Against against = Against::sheet;
   std::vector<double> window = {0.03, 0.5};  ///< depth / effective radius
   double window_bond_A = 1.65;               ///< the window ends where the atoms' longest bond is this, if earlier
   double tolerance = 0.01;
@@ -52,22 +88,42 @@ struct Case {
 template <class Self, class Visitor>
 requires SameStruct<Self, Case>
 void describe(Self& c, Visitor&& visit) {
-  visit(Field{"radius", unit::length, "radius of the free sheet", positive()}, c.radius_A);
-  visit(Field{"potential", {}, "name in inputs/potentials, or path to a TOML file"}, c.potential);
-  visit(Field{.name = "loads", .meaning = "loads to run, separated by commas", .choices = load_names}, c.loads);
+  visit(Field{"shape", {}, "shape of the sheet"}, c.shape);
+  visit(Field{"radius", unit::length, "radius of the free sheet, half the side of a square", positive()}, c.radius_A);
+  visit(Field{"size", unit::length, "the same in other words: diameter of a disc, side of a square", positive()},
+        c.size_A);
+  visit(Field{"edge", {}, "clamped, or sliding in its plane"}, c.edge);
+  visit(
+      Field{"potential", {}, "name in inputs/potentials, or path to a TOML file; its constants are the membrane's too"},
+      c.potential);
+  visit(Field{.name = "loads", .meaning = "loads to run, separated by commas"}, c.loads);
   visit(Field{"tip-radius", unit::length, "radius of the loaded disc and of the sphere", positive()}, c.tip_radius_A);
   visit(Field{"depth-max", unit::length, "largest depth (0.22 of the radius if not given)", positive()}, c.depth_max_A);
   visit(Field{"depth-step", unit::length, "distance between depths (2 Å; radius/55 for given constants)", positive()},
         c.depth_step_A);
   visit(Field{"forces", unit::force, "dead-load levels instead of depths", positive()}, c.forces_eV_per_A);
+  visit(Field{"pressures", unit::stress, "follower pressures of the load 'pressure', in the order of the path",
+              positive()},
+        c.pressures_eV_per_A3);
   visit(Field{"pretension", unit::membrane_force, "isotropic membrane force of the flat sheet", not_negative()},
         c.pretension_eV_per_A2);
-  visit(Field{.name = "models", .meaning = "which models to run", .choices = model_names}, c.models);
+  visit(Field{.name = "models", .meaning = "which models to run"}, c.models);
 
-  visit(Field{"E", unit::stress, "Young's modulus of a membrane with given constants", positive(), "membrane"},
+  visit(Field{"E", unit::stress, "Young's modulus of a membrane with given constants", positive(), "membrane"}
+            .at_top_too(),
         c.E_eV_per_A3);
-  visit(Field{"thickness", unit::length, "thickness that goes with E", positive(), "membrane"}, c.thickness_A);
-  visit(Field{"nu", {}, "Poisson's ratio that goes with E", between(-1, 1), "membrane"}, c.nu);
+  visit(
+      Field{"thickness", unit::length, "thickness that goes with E, and that stresses are over", positive(), "membrane"}
+          .at_top_too(),
+      c.thickness_A);
+  visit(Field{"nu", {}, "Poisson's ratio that goes with E", between(-1, 1), "membrane"}.at_top_too(), c.nu);
+  visit(Field{"extent", {}, "part that is meshed", {}, "membrane"}.at_top_too(), c.extent);
+  visit(Field{"cells", {}, "rings of a disc, cells along a side of a square's meshed part", from_to(8, 500), "membrane"}
+            .at_top_too(),
+        c.cells);
+  visit(Field{"unrelaxed", {}, "let the sheet bear compression: what the paper's relaxation removes", {}, "membrane"}
+            .at_top_too(),
+        c.unrelaxed);
 
   visit(Field{"force-tolerance", unit::force, "largest force left on a free atom", from_to(1e-9, 1e-2), "atomistic"},
         c.force_tolerance_eV_per_A);
@@ -78,7 +134,7 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"switch-length", unit::length, "move the C-C switch of AIREBO or REBO there, in a copy of its file",
               from_to(1.70, 1.99), "atomistic"},
         c.switch_length_A);
-  visit(Field{"centre", {}, "what the axis goes through", {}, "atomistic", centre_names}, c.centre);
+  visit(Field{"centre", {}, "what the axis goes through", {}, "atomistic"}, c.centre);
   visit(Field{"rotation-deg", {}, "turns the lattice, degrees", from_to(-360, 360), "atomistic"}, c.rotation_deg);
   visit(Field{"vacancies", unit::length, "places x,y,x,y,... whose nearest atom is missing", {}, "atomistic"},
         c.vacancies_A);
@@ -89,8 +145,8 @@ void describe(Self& c, Visitor&& visit) {
               "atomistic"},
         c.stone_wales_A);
 
-  visit(Field{"judged-load", {}, "load whose curves the verdict compares", {}, "agreement", load_names}, c.judged_load);
-  visit(Field{"against", {}, "continuum that the atoms are held against", {}, "agreement", continuum_names}, c.against);
+  visit(Field{"judged-load", {}, "load whose curves the verdict compares", {}, "agreement"}, c.judged_load);
+  visit(Field{"against", {}, "continuum that the atoms are held against", {}, "agreement"}, c.against);
   visit(Field{"window", {}, "judged range of depth / effective radius", between(0, 1), "agreement"}, c.window);
   visit(Field{"window-bond", unit::length, "longest bond at which the judged range ends, if before its upper end",
               from_to(1.3, 3), "agreement"},
@@ -104,8 +160,17 @@ void describe(Self& c, Visitor&& visit) {
         c.regime_tolerance);
 }
 
+/// What `validate bulge` starts from: a square with sliding edges under a pressure, the paper's figure 4.
+Case bulge_defaults();
+
+/// Takes the size for the radius where a size is given. A flag wins over a file. Throws Error (bad input) where both
+/// are given in the same way.
+void settle_size(Case&, const Origins&);
+
 /// True when E, thickness and nu are given: a membrane alone, without card, atoms or verdict.
 bool has_given_constants(const Case&);
+
+bool has_load(const Case&, LoadKind);
 
 /// Largest controlled depth: the one given, else 0.22 × radius. Å.
 double largest_depth_A(const Case&);

@@ -17,23 +17,50 @@ constexpr int fewest_atoms_per_rank = 3000;
 
 fs::path steps_folder(const fs::path& work, const AtomsPath& path) { return work / path.name / "steps"; }
 
+/// Levels done so far in each path, a level in progress counting half.
+class Ahead {
+ public:
+  explicit Ahead(const std::vector<AtomsPath>& paths) : paths_(paths), done_(paths.size(), 0.0) {}
+
+  double fraction(std::size_t index, int level) {
+    const atomistic::Problem& p = paths_[index].problem;
+    const double steps = static_cast<double>(p.levels.size()) * (p.unload ? 2 : 1) - (p.unload ? 1 : 0);
+    done_[index] = (level + 0.5) / steps;
+    double sum = 0;
+    for (const double done : done_) sum += done;
+    return sum / static_cast<double>(done_.size());
+  }
+
+ private:
+  const std::vector<AtomsPath>& paths_;
+  std::vector<double> done_;
+};
+
 struct Listener {
+  std::size_t index;
   const AtomsPath& path;
   const fs::path& work;
   AtomsCurve& curve;
+  Ahead& ahead;
   Progress& progress;
 
   void operator()(const atomistic::StartEvent& e) const { curve.lammps = lammps_release(e.lammps_version); }
   void operator()(const atomistic::EndEvent& e) const { curve.report = e.report; }
   void operator()(const atomistic::ProgressEvent& e) const {
-    progress.status(fmt::format("{}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å", path.name, e.level + 1,
-                                path.problem.levels.size(), e.evaluations, e.max_force_eV_per_A));
+    const double fraction = ahead.fraction(index, e.level);
+    const double left = progress.elapsed_s() * (1 - fraction) / std::max(fraction, 1e-3);
+    progress.status(fmt::format("{} about {:.0f} s left; {}: level {}/{}, {} evaluations, max|f| {:.1e} eV/Å",
+                                bar(fraction), left, path.name, e.level + 1, path.problem.levels.size(), e.evaluations,
+                                e.max_force_eV_per_A));
   }
   void operator()(const atomistic::StepEvent& e) const {
     const atomistic::Step step = atomistic::read_step(steps_folder(work, path) / e.file);
-    progress.say(fmt::format("atoms {}  {}/{}  level {:.5g}  depth {:.3f} Å  {} evaluations  longest bond {:.3f} Å{}",
-                             path.name, e.level + 1, path.problem.levels.size(), step.target, step.depth_A,
-                             step.evaluations, step.longest_bond_A, step.converged ? "" : "  not converged"));
+    constexpr double near_artefact_A = 0.02;
+    const bool near = step.longest_bond_A >= path.problem.potential.artefact_bond_A - near_artefact_A;
+    progress.say(fmt::format(
+        "atoms {:5} {:2}/{}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}{}",
+        path.name, e.level + 1, path.problem.levels.size(), step.depth_A, step.force_eV_per_A, step.evaluations,
+        step.longest_bond_A, near ? "  (near the artefact zone)" : "", step.converged ? "" : "  not converged"));
   }
   template <class Other>
   void operator()(const Other&) const {}
@@ -57,13 +84,14 @@ std::vector<AtomsCurve> compute_curves(const AtomsLaunch& launch, const std::vec
                     ranks});
   }
   std::vector<AtomsCurve> curves(paths.size());
+  Ahead ahead(paths);
   const auto outcomes = run_jobs(launch, jobs, work, [&](std::size_t i, const atomistic::Event& event) {
-    std::visit(Listener{paths[i], work, curves[i], progress}, event);
+    std::visit(Listener{i, paths[i], work, curves[i], ahead, progress}, event);
   });
   for (std::size_t i = 0; i < paths.size(); ++i) {
     curves[i].steps = atomistic::read_finished_steps(steps_folder(work, paths[i]));
     if (outcomes[i].finished) continue;
-    curves[i].failure = fmt::format("atoms, {}: {}", paths[i].name, outcomes[i].failure);
+    curves[i].failure = fmt::format("atoms, {} load: {}", paths[i].name, outcomes[i].failure);
     if (outcomes[i].fault == atomistic::Fault::file) curves[i].failure_code = ExitCode::file_failed;
   }
   return curves;

@@ -1,218 +1,83 @@
-// What a run of the comparison produced. Base units Å, eV; the N/m twins are made where a document is
-// written. A number that is not known stays NaN and becomes null (JSON) or an empty cell (CSV), never 0.
+// All that a command can produce: one tree, from which every document is a walk. Base units Å, eV; the N/m twins are
+// made where a document is written.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/base/describe.hpp"
+#include "compare/base/words.hpp"
 #include "compare/input/case.hpp"
+#include "compare/results/card.hpp"
+#include "compare/results/checks.hpp"
+#include "compare/results/measured.hpp"
+#include "compare/results/provenance.hpp"
+#include "compare/results/run.hpp"
+#include "compare/results/verdict.hpp"
 
 namespace validate {
 
-struct SheetPicture;
+/// Number of the documents' form, in every one of them.
+inline constexpr int document_schema = 2;
 
-enum class Model { membrane, atomistic, sheet };                ///< sheet: a membrane that resists bending
-enum class Constants { card, paper, given, calibrated, none };  ///< none: atomistic
-enum class Ended { depth_max, artefact, rupture, not_converged };
+enum class Command { indentation, bulge, fit, potential, figure, verify, batch };
+constexpr auto words(Command) {
+  return std::array{Word{Command::indentation, "indentation"},
+                    Word{Command::bulge, "bulge"},
+                    Word{Command::fit, "fit"},
+                    Word{Command::potential, "potential"},
+                    Word{Command::figure, "figure"},
+                    Word{Command::verify, "verify"},
+                    Word{Command::batch, "batch"}};
+}
 
-inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
-std::string_view to_string(Model);
-std::string_view to_string(Constants);
-std::string_view to_string(Ended);
-
-/// Also for a curve whose program failed: "failed".
-std::string_view to_string(const std::optional<Ended>&);
-
-/// What Eq. 16 reads from a membrane whose E·h and pretension are known, at the depths of the fit, and what
-/// follows for the curve fitted: E·h by the ratio, the pretension by the difference.
-struct FitBias {
-  double Eh_true_eV_per_A2 = 0, Eh_read_eV_per_A2 = 0;
-  double pretension_true_eV_per_A2 = 0, pretension_read_eV_per_A2 = 0;
-  double Eh_corrected_eV_per_A2 = 0, pretension_corrected_eV_per_A2 = 0;
-};
-
-/// The membrane model itself, with the real tip, fitted to the curve.
-struct DirectFit {
-  double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
-  double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
-  double rms_relative = 0;
-};
-
-/// Eq. 16, or another closed form, fitted to a curve.
-struct Fit {
-  double Eh_eV_per_A2 = 0, Eh_stderr_eV_per_A2 = 0;
-  double pretension_eV_per_A2 = 0, pretension_stderr_eV_per_A2 = 0;
-  double correlation = 0;                  ///< of the two parameters
-  std::vector<double> correlation_matrix;  ///< of all parameters, row by row: E·h, pretension, then the offsets
-  double rms_relative = 0;                 ///< root mean square residual over the largest force
-  std::array<double, 2> window_A{};
-  int points = 0;
-
-  double r_squared = not_known, condition_number = not_known;
-  std::array<double, 2> Eh_interval_eV_per_A2{not_known, not_known};          ///< 95 %, profile likelihood
-  std::array<double, 2> pretension_interval_eV_per_A2{not_known, not_known};  ///< 95 %, profile likelihood
-  double Eh_bootstrap_eV_per_A2 = not_known;                    ///< standard error from refits to drawn residuals
-  double pretension_bootstrap_eV_per_A2 = not_known;            ///< the same
-  std::vector<double> fitted_depth_A, residual_eV_per_A;        ///< the points fitted, force − model
-  std::optional<double> depth_offset_A, force_offset_eV_per_A;  ///< where asked for
-  std::optional<double> depth_offset_stderr_A, force_offset_stderr_eV_per_A;
-
-  std::optional<FitBias> bias;
-  std::optional<DirectFit> direct;
-  std::vector<std::string> warnings;  ///< what a careful reader would say of this fit
-};
-
-/// The fit against the depth up to which points are used.
-struct WindowScan {
-  std::vector<double> depth_max_A, Eh_eV_per_A2, pretension_eV_per_A2;
-};
-
-/// What a four times stiffer contact changes at the last depth of a sphere that presses on atoms.
-struct ContactSensitivity {
-  double force_change_relative = not_known;                 ///< at equal travel of the sphere
-  double depth_change_A = not_known;                        ///< of the depth of record, at equal travel
-  double force_change_at_equal_depth_relative = not_known;  ///< what a comparison of curves sees
-  double deepest_penetration_A = not_known;                 ///< of an atom into the sphere
-};
-
-/// One force–depth curve. All arrays are equally long; those of the other model stay empty.
-struct Run {
-  Model model = Model::membrane;
-  std::string load;
-  Constants constants = Constants::none;
-  double a_A = not_known, tip_A = not_known;        ///< radii as used (pairing radii where paired)
-  double Eh_eV_per_A2 = not_known, nu = not_known;  ///< as used; for atoms those of the card
-  double pretension_eV_per_A2 = 0;
-  double record_radius_A = 0;  ///< where the depth of record is taken; 0: the centre
-  std::optional<Ended> ended;  ///< nothing where the program that computed the curve failed
-  std::string ended_reason;    ///< in words, for the table and the log
-
-  std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A, energy_eV;
-  std::vector<bool> converged;
-
-  std::vector<double> longest_bond_A;  ///< atomistic: measured; calibrated: predicted from the strain
-
-  // atomistic
-  std::vector<double> max_force_eV_per_A, balance_relative, force_error_relative;
-  std::vector<bool> artefact;
-  std::vector<int> force_evaluations, factorisations;
-
-  std::optional<ContactSensitivity> contact;  ///< for a sphere
-
-  // membrane and sheet
-  std::vector<int> newton_iterations;
-  int triangles = 0;                                          ///< 0: solved in one dimension
-  std::shared_ptr<const std::vector<SheetPicture>> pictures;  ///< the solved triangles at the last depth, or every one
-
-  std::optional<Fit> fit;
-  std::string fit_skipped;  ///< why there is no fit
-  WindowScan scan;          ///< empty where there is no fit
-};
-
-/// Indices of the points that fits, curves and the verdict use: converged, outside the artefact zone, with a
-/// finite force at a finite, positive depth (every curve passes through the origin, so depth 0 says nothing).
-std::vector<std::size_t> usable_points(const Run& run);
-
-/// Index of the first point in the artefact zone, if any.
-std::optional<std::size_t> first_artefact(const Run& run);
-
-/// The potential's linear response (T = 0, flat, relaxed inside the cell).
-struct CardSummary {
-  double a0_A = not_known, energy_per_atom_eV = not_known;
-  double C11_eV_per_A2 = not_known, C12_eV_per_A2 = not_known, C66_eV_per_A2 = not_known;
-  double Eh_eV_per_A2 = not_known, nu = not_known;
-  double bending_modulus_eV = not_known;
-  double isotropy_error = not_known;   ///< C66 / ((C11 − C12)/2) − 1
-  double artefact_bond_A = not_known;  ///< from this longest bond on, the potential's cut-off makes forces an artefact
-};
-
-/// The law made from the potential's homogeneous response, as used.
-struct LawSummary {
-  int degree = 0;
-  double rms_misfit = not_known, worst_misfit = not_known;  ///< of the stress
-  double anisotropy = not_known;      ///< left out: largest difference of the stress along zigzag or armchair
-  double longest_bond_A = not_known;  ///< the law holds up to here
-  bool convex = false;                ///< up to there
-  double bending_modulus_eV = not_known;
-  std::vector<int> power_of_I, power_of_q;  ///< terms c I^a q^b of the energy
-  std::vector<double> coefficient_eV_per_A2;
-};
-
-struct Agreement {
-  std::string load, against;
-  std::array<double, 2> window{};  ///< depth / effective radius
-  double max_relative_difference = 0, tolerance = 0;
-  bool passed = false;
-  std::vector<double> depth_A, ratio;  ///< the points judged, F_atoms / F_continuum
-};
-
-/// What makes up the difference between the atoms' force and that of a plain membrane (St Venant–Kirchhoff, nominal
-/// radii) at the same depth: shares of that membrane's force that add up to the whole.
-struct Explanation {
-  std::string load;
-  std::vector<double> depth_A, depth_relative;
-  std::vector<double> plain_force_eV_per_A;  ///< of the membrane that is explained away
-  std::vector<double> geometry;              ///< radii of clamp and tip as the atoms have them
-  std::vector<double> bending;
-  std::vector<double> large_strain;  ///< the potential's own response for St Venant–Kirchhoff's
-  std::vector<double> anisotropy;    ///< its sixfold part; not known for a sphere, and part of the remainder there
-  std::vector<double> remainder;     ///< what no continuum here has
-};
-
-/// Where a sheet of atoms is, beside the like-for-like membrane at the same depth.
-enum class Regime { bending, membrane, softening, artefact };
-
-std::string_view to_string(Regime);
-
-/// One load's atoms against the like-for-like membrane, at every depth that both have. Ratios are atoms / membrane:
-/// force and energy at equal depth, depth at equal force.
-struct Comparison {
-  std::string load;
-  std::vector<double> depth_A, depth_relative, force_ratio, depth_ratio, energy_ratio;
-  std::vector<double> calibrated_membrane_ratio, sheet_ratio;  ///< force over that of the calibrated continua
-  std::vector<Regime> regime;
-
-  /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 −
-  /// tolerance, longest bond in the artefact zone.
-  double bending_to_A = not_known, softening_from_A = not_known, artefact_from_A = not_known;
-  double predicted_artefact_from_A = not_known;  ///< by the calibrated sheet's strains
-};
-
+/// The sheet of atoms.
 struct SheetSummary {
   double radius_A = 0, effective_radius_A = 0;
   int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
 };
 
-/// Sums over the curves, which run side by side: they may exceed the wall time.
-struct Timing {
-  double wall_s = not_known, membrane_s = not_known;
-  std::optional<double> atomistic_s;
-  std::optional<double> force_s;   ///< inside LAMMPS: pair, neighbour, communication
-  std::optional<double> setup_s;   ///< inside LAMMPS: start, and the first force of each depth with its set-up
-  std::optional<double> factor_s;  ///< factorising the preconditioner
-  std::optional<double> solve_s;   ///< solving with it
-  std::optional<long> force_calls;
+template <class Self, class Visitor>
+requires SameStruct<Self, SheetSummary>
+void describe(Self& sheet, Visitor&& visit) {
+  visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);
+  visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"}, sheet.effective_radius_A);
+  visit(Field{"atoms", unit::none, "atoms, clamped ring included"}, sheet.atoms);
+  visit(Field{"free_atoms", unit::none, "atoms that move"}, sheet.free_atoms);
+  visit(Field{"loaded_disc_atoms", unit::none, "atoms that carry the disc load"}, sheet.loaded_disc_atoms);
+}
+
+struct Result;
+
+/// One case of a batch.
+struct CaseOutcome {
+  std::string potential;
+  double radius_A = not_known;
+  std::string folder;                     ///< below the batch's
+  int exit_code = 0;                      ///< as if it had been run alone
+  std::shared_ptr<const Result> summary;  ///< null where it failed before there was one
 };
 
-/// The way back of an atomistic curve.
-struct Unloading {
-  std::string load;
-  double hysteresis_relative = not_known;  ///< work lost on the way there and back over the work put in
-  std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A;
-};
-
-struct Provenance {
-  std::string version, git, lammps, gsl, hdf5, suitesparse, blas;
-  std::string potential_file, potential_sha256, potential_edit, command_line;
-};
+template <class Self, class Visitor>
+requires SameStruct<Self, CaseOutcome>
+void describe(Self& one, Visitor&& visit) {
+  visit(Field{"potential", unit::none, "potential of the case"}, one.potential);
+  visit(Field{"radius", unit::length, "radius of the case"}, one.radius_A);
+  visit(Field{"folder", unit::none, "of the case, below the batch's"}, one.folder);
+  visit(Field{"exit_code", unit::none, "of the case, as if it had been run alone"}, one.exit_code);
+  visit(Field{"summary", unit::none, "the case's own document; null where it failed before there was one"},
+        one.summary);
+}
 
 struct Result {
+  int schema = document_schema;
+  Command command = Command::indentation;
+  int exit_code = 0;        ///< as the program ends; see the README's table
+  std::string exit_reason;  ///< of any but 0, in words
+
+  // indentation, bulge
   Case resolved;
   std::optional<SheetSummary> sheet;  ///< absent where no atoms were asked for
   std::optional<CardSummary> card;
@@ -225,8 +90,91 @@ struct Result {
   std::vector<Explanation> explanations;  ///< one per load that has the calibrated sheet
   std::vector<Unloading> unloading;
   Timing timing;
+
+  // potential, with card and law
+  PotentialSummary potential;
+  std::vector<StressCurve> stress_curves;
+  StrainStates states;
+  std::vector<LawForm> law_forms;
+
+  std::vector<FittedCurve> curves;    ///< fit
+  std::vector<FigureResult> figures;  ///< figure
+  int passed = 0, failed = 0;         ///< verify
+  std::vector<VerificationRow> rows;  ///< verify
+  std::vector<CaseOutcome> cases;     ///< batch
+
   Provenance provenance;
+
+  /// Whether the command pairs atoms and continua.
+  bool is_experiment() const { return command == Command::indentation || command == Command::bulge; }
 };
+
+namespace detail {
+
+template <class Self, class Visitor>
+void describe_experiment(Self& r, Visitor&& visit) {
+  visit(Field{"case", unit::none, "what was asked for, after the input file and the flags were merged"}, r.resolved);
+  visit(Field{"sheet", unit::none, "the sheet of atoms; null where none was asked for"}, r.sheet);
+  visit(Field{"card", unit::none, "the potential's linear response (T = 0, flat, relaxed inside the cell)"}, r.card);
+  visit(Field{"law", unit::none, "made from the potential's homogeneous response, as used"}, r.law);
+  visit(Field{"law_missing", unit::none, "why there is no law"}.where_known(), r.law_missing);
+  visit(Field{"runs", unit::none, "one curve each; the arrays of a run are equally long"}, r.runs);
+  visit(Field{"agreement", unit::none, "the verdict; null where there is none"}, r.agreement);
+  visit(Field{"agreement_skipped", unit::none, "why there is no verdict"}.where_known(), r.agreement_skipped);
+  visit(Field{"comparison", unit::none, "atoms / like-for-like membrane, depth by depth, per load"}, r.comparisons);
+  visit(Field{"explanation", unit::none, "what the plain membrane lacks to be the atoms, per load"}, r.explanations);
+  visit(Field{"unloading", unit::none, "the way back of each atomistic curve, where it was asked for"}.where_known(),
+        r.unloading);
+  visit(Field{"timing", unit::none, "sums over curves that run side by side"}, r.timing);
+}
+
+template <class Self, class Visitor>
+void describe_potential(Self& r, Visitor&& visit) {
+  visit(Field{"potential", unit::none, "which, and how it is described"}, r.potential);
+  if constexpr (!std::is_const_v<Self>) r.card.emplace();
+  if (r.card) describe(*r.card, visit);
+  visit(Field{"curves", unit::none, "stress under large homogeneous strain"}, r.stress_curves);
+  visit(Field{"states", unit::none, "homogeneous states that the law is made from"}, r.states);
+  visit(Field{"law", unit::none, "made from them; null where there is none"}, r.law);
+  visit(Field{"law_missing", unit::none, "why there is no law"}.where_known(), r.law_missing);
+  visit(Field{"law_forms", unit::none, "other forms that it can take"}, r.law_forms);
+}
+
+}  // namespace detail
+
+/// What a document of the command holds.
+template <class Self, class Visitor>
+requires SameStruct<Self, Result>
+void describe(Self& r, Visitor&& visit) {
+  visit(Field{"schema", unit::none, "number of the documents' form"}, r.schema);
+  visit(Field{"command", unit::none, "of the program"}, r.command);
+  visit(Field{"exit_code", unit::none, "as the program ended"}, r.exit_code);
+  visit(Field{"exit_reason", unit::none, "of any exit code but 0, in words"}.where_known(), r.exit_reason);
+  switch (r.command) {
+    case Command::indentation:
+    case Command::bulge:
+      detail::describe_experiment(r, visit);
+      break;
+    case Command::fit:
+      visit(Field{"curves", unit::none, "measured curves and what was found in them"}, r.curves);
+      break;
+    case Command::potential:
+      detail::describe_potential(r, visit);
+      break;
+    case Command::figure:
+      visit(Field{"figures", unit::none, "the paper's figures: ours beside the reference"}, r.figures);
+      break;
+    case Command::verify:
+      visit(Field{"passed", unit::none, "rows within their tolerance"}, r.passed);
+      visit(Field{"failed", unit::none, "rows beyond it"}, r.failed);
+      visit(Field{"rows", unit::none, "computed beside its reference"}, r.rows);
+      break;
+    case Command::batch:
+      visit(Field{"cases", unit::none, "one entry per case"}, r.cases);
+      break;
+  }
+  visit(Field{"provenance", unit::none, "program, libraries and files behind the numbers"}, r.provenance);
+}
 
 /// The potential's artefact length, Å; that of most carbon potentials where there is no card.
 double artefact_bond_of(const Result& result);

@@ -3,31 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "compare/base/interrupt.hpp"
+#include "compare/base/progress.hpp"
 #include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
 #include "compare/results/sheet_columns.hpp"
 #include "compare/study/curves.hpp"
-#include "compare/verdict/explanation.hpp"
 
 namespace validate {
 namespace {
 
 namespace axi = membrane::axisymmetric;
 
-const Run* atoms_of(const Result& result, const std::string& load) {
-  const auto found = std::ranges::find_if(
-      result.runs, [&](const Run& run) { return run.model == Model::atomistic && run.load == load; });
-  return found == result.runs.end() ? nullptr : &*found;
-}
-
 /// At a few depths as far as the law holds, which is enough for something so small and smooth. Dead loads only.
-Anisotropy anisotropy_of(const SheetExperiment& sheet, const CalibratedLaw& law) {
+Anisotropy anisotropy_of(const ContinuumExperiment& sheet, const CalibratedLaw& law) {
   constexpr int parts = 3;
-  const auto* disc = std::get_if<axi::DiscLoad>(&sheet.problem.load);
+  const auto& problem = std::get<axi::SheetProblem>(sheet.problem);
+  const auto* disc = std::get_if<axi::DiscLoad>(&problem.load);
   if (!disc || sheet.run.conjugate_depth_A.empty() || law.sixfold.terms.empty()) return {};
   Anisotropy found;
   double deepest = 0;
@@ -36,27 +31,48 @@ Anisotropy anisotropy_of(const SheetExperiment& sheet, const CalibratedLaw& law)
       deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
   if (!(deepest > 0)) return {};
   for (int i = 1; i <= parts; ++i) found.conjugate_depth_A.push_back(deepest * i / parts);
-  found.ratio = anisotropy_ratios(law, sheet.problem.radius_A, disc->radius_A, found.conjugate_depth_A);
+  found.ratio = anisotropy_ratios(law, problem.radius_A, disc->radius_A, found.conjugate_depth_A);
   found.conjugate_depth_A.resize(found.ratio.size());
   return found;
 }
 
-}  // namespace
+/// How far the middle of the right edge has come in; without a square's edge nothing is known.
+double pull_in(const SheetPicture& picture) {
+  const membrane::Mesh& mesh = picture.mesh;
+  if (!mesh.edges.contains(membrane::Edge::right)) return not_known;
+  const auto& edge = mesh.edges.at(membrane::Edge::right);
+  const int middle =
+      *std::ranges::min_element(edge, {}, [&](int n) { return std::abs(mesh.nodes[static_cast<std::size_t>(n)].y()); });
+  return -picture.displacement[3 * static_cast<std::size_t>(middle)];
+}
 
-void solve(MembraneExperiment& e, bool all_fields) {
-  SheetAlbum album(e.problem, e.thickness_A, all_fields);
-  const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
+void append_extremes(ContinuumPart& part, const SheetPicture& picture) {
+  const auto& larger = column(picture.triangles, "cauchy_1_eV_per_A3");
+  const auto& smaller = column(picture.triangles, "cauchy_2_eV_per_A3");
+  part.wrinkled_area_fraction.push_back(total(picture.totals, "wrinkled_area_fraction"));
+  part.slack_area_fraction.push_back(total(picture.totals, "slack_area_fraction"));
+  part.edge_pull_in_A.push_back(pull_in(picture));
+  part.stress_1_max_eV_per_A3.push_back(std::ranges::max(larger));
+  part.stress_2_min_eV_per_A3.push_back(std::ranges::min(smaller));
+  part.stress_2_max_eV_per_A3.push_back(std::ranges::max(smaller));
+}
+
+void solve_triangles(ContinuumExperiment& e, const membrane::Problem& problem, bool all_fields) {
+  const bool pressed = e.run.load == LoadKind::pressure;
+  SheetAlbum album(problem, e.thickness_A, all_fields || pressed);
+  const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
     append(e.run, step);
     album.keep(step);
+    if (pressed) append_extremes(e.run.continuum(), picture_of(problem, step, e.thickness_A));
     return !interrupted();
   });
   close(e.run, report);
-  e.run.pictures = std::make_shared<const std::vector<SheetPicture>>(album.pictures());
+  e.run.continuum().pictures = std::make_shared<const std::vector<SheetPicture>>(album.pictures());
 }
 
-void solve(SheetExperiment& e) {
+void solve_meridian(ContinuumExperiment& e, const axi::SheetProblem& problem) {
   bool left_the_law = false;
-  const axi::SheetReport report = axi::solve(e.problem, [&](const axi::SheetStep& step) {
+  const axi::SheetReport report = axi::solve(problem, [&](const axi::SheetStep& step) {
     if (!step.converged) return false;
     append(e.run, step, e.longest_bond, e.stretch);
     left_the_law = e.longest_bond && e.run.longest_bond_A.back() >= e.last_bond_A;
@@ -72,34 +88,49 @@ void solve(SheetExperiment& e) {
   }
   if (!left_the_law) return;
   e.run.ended = Ended::artefact;
-  e.run.ended_reason =
-      fmt::format("the longest bond that the strains predict is {:.2f} Å", e.run.longest_bond_A.back());
+  e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", bonds.back());
 }
 
-void Continua::add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet,
-                              const CalibratedLaw& law) {
-  calibrated_.push_back({std::move(stages), std::move(membrane), std::move(sheet), law, {}});
+/// Triangles first, since they are slow; the calibrated sheet before what only explains it.
+std::vector<ContinuumExperiment*> in_order(std::vector<PairedLoad>& loads) {
+  std::vector<ContinuumExperiment*> order;
+  const auto add = [&](bool triangles) {
+    for (PairedLoad& load : loads)
+      for (ContinuumExperiment& e : load.continua)
+        if (std::holds_alternative<membrane::Problem>(e.problem) == triangles) order.push_back(&e);
+  };
+  add(true);
+  add(false);
+  return order;
 }
 
-void Continua::start(bool all_fields) {
-  thread_ = std::thread([this, all_fields] {
-    const double begin = seconds();
-    try {
-      solve_all(all_fields);
-    } catch (...) {
-      failure_ = std::current_exception();
-    }
-    elapsed_s_ = seconds() - begin;
-  });
+}  // namespace
+
+void solve(ContinuumExperiment& e, bool all_fields) {
+  if (const auto* triangles = std::get_if<membrane::Problem>(&e.problem))
+    solve_triangles(e, *triangles, all_fields);
+  else
+    solve_meridian(e, std::get<axi::SheetProblem>(e.problem));
 }
 
-void Continua::solve_all(bool all_fields) {
-  for (MembraneExperiment& e : membranes_)
-    if (!interrupted()) solve(e, all_fields);
-  for (Calibrated& c : calibrated_) {
-    for (SheetExperiment* e : {&c.sheet, &c.membrane, &c.stages[0], &c.stages[1], &c.stages[2]})
-      if (!interrupted()) solve(*e);
-    if (!interrupted()) c.anisotropy = anisotropy_of(c.sheet, c.law);
+Continua::Continua(std::vector<PairedLoad>& loads, const CalibratedLaw* law, bool all_fields)
+    : loads_(loads), law_(law), all_fields_(all_fields), thread_([this] {
+        const double begin = seconds();
+        try {
+          solve_all();
+        } catch (...) {
+          failure_ = std::current_exception();
+        }
+        elapsed_s_ = seconds() - begin;
+      }) {}
+
+void Continua::solve_all() {
+  for (ContinuumExperiment* e : in_order(loads_))
+    if (!interrupted()) solve(*e, all_fields_);
+  for (const PairedLoad& load : loads_) {
+    const ContinuumExperiment* sheet = load.find(Purpose::calibrated_sheet);
+    if (sheet && law_ && load.find(Purpose::bending) && !interrupted())
+      anisotropies_[load.load] = anisotropy_of(*sheet, *law_);
   }
 }
 
@@ -107,39 +138,6 @@ double Continua::join() {
   thread_.join();
   if (failure_) std::rethrow_exception(failure_);
   return elapsed_s_;
-}
-
-void Continua::collect(Result& result) {
-  for (const Calibrated& c : calibrated_) {
-    const Run* atoms = atoms_of(result, c.sheet.run.load);
-    if (!atoms) continue;
-    auto explanation =
-        explain(*atoms, {&c.stages[0].run, &c.stages[1].run, &c.stages[2].run, &c.sheet.run}, c.anisotropy);
-    if (explanation) result.explanations.push_back(std::move(*explanation));
-  }
-  for (MembraneExperiment& e : membranes_) result.runs.push_back(std::move(e.run));
-  for (Calibrated& c : calibrated_) {
-    result.runs.push_back(std::move(c.membrane.run));
-    result.runs.push_back(std::move(c.sheet.run));
-  }
-}
-
-std::vector<double> enclosing(const std::vector<double>& levels) {
-  constexpr double before = 0.5, beyond = 1.02;
-  if (levels.empty()) return levels;
-  std::vector<double> more = {before * levels.front()};
-  more.insert(more.end(), levels.begin(), levels.end());
-  more.push_back(beyond * levels.back());
-  return more;
-}
-
-std::vector<double> with_halves(const std::vector<double>& levels) {
-  std::vector<double> finer;
-  for (const double level : levels) {
-    if (!finer.empty()) finer.push_back((finer.back() + level) / 2);
-    finer.push_back(level);
-  }
-  return finer;
 }
 
 }  // namespace validate

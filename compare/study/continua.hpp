@@ -1,70 +1,48 @@
 // The continuum curves of a study, solved in a thread of their own while the atoms run.
 #pragma once
 
-#include <array>
 #include <exception>
-#include <string>
+#include <map>
 #include <thread>
 #include <vector>
 
 #include "compare/pairing/pairing.hpp"
-#include "compare/results/result.hpp"
 #include "compare/verdict/explanation.hpp"
 
 namespace validate {
 
-/// Solves a curve as far as it goes, or until an interrupt. Keeps the fields of its last converged depth, or of every
-/// one.
-void solve(MembraneExperiment& experiment, bool all_fields = false);
-
-/// The same in one dimension. A law that knows its longest bond ends where the potential's artefact zone is well
-/// entered: beyond, it stands for nothing.
-void solve(SheetExperiment& experiment);
+/// Solves a curve as far as it goes, or until an interrupt. Of a sheet of triangles the fields of its last converged
+/// level are kept, or of every one; under a pressure of every one, and their extremes become columns. A law that knows
+/// its longest bond ends where the potential's artefact zone is well entered: beyond, it stands for nothing.
+void solve(ContinuumExperiment& experiment, bool all_fields);
 
 class Continua {
  public:
-  Continua() = default;
+  /// Solves the continua of these loads, which must outlive it. `law`: the potential's, for the part of the explanation
+  /// that the lattice's directions are; null where there is none.
+  Continua(std::vector<PairedLoad>& loads, const CalibratedLaw* law, bool all_fields);
   ~Continua() {
     if (thread_.joinable()) thread_.join();
   }
   Continua(const Continua&) = delete;
   Continua& operator=(const Continua&) = delete;
 
-  void add(MembraneExperiment experiment) { membranes_.push_back(std::move(experiment)); }
-  /// Curves of the result, and those on the way of the explanation: `law` for the part of the lattice's directions.
-  void add_calibrated(std::array<SheetExperiment, 3> stages, SheetExperiment membrane, SheetExperiment sheet,
-                      const CalibratedLaw& law);
-
-  /// all_fields: keep the membranes' triangles at every depth.
-  void start(bool all_fields);
   /// Waits; the seconds it took. What was thrown comes out here.
   double join();
 
-  /// Hands the curves over to the result, and what the atoms' curves there are made of.
-  void collect(Result& result);
+  /// After join(): the forces of the lattice's directions, per load.
+  const std::map<LoadKind, Anisotropy>& anisotropies() const { return anisotropies_; }
 
  private:
-  struct Calibrated {
-    std::array<SheetExperiment, 3> stages;
-    SheetExperiment membrane, sheet;
-    CalibratedLaw law;
-    Anisotropy anisotropy;
-  };
+  void solve_all();
 
-  void solve_all(bool all_fields);
-
-  std::vector<MembraneExperiment> membranes_;
-  std::vector<Calibrated> calibrated_;
+  std::vector<PairedLoad>& loads_;
+  const CalibratedLaw* law_;
+  bool all_fields_;
+  std::map<LoadKind, Anisotropy> anisotropies_;
   std::exception_ptr failure_;
   double elapsed_s_ = 0;
   std::thread thread_;
 };
-
-/// Controlled levels with one more before the first and one a little beyond the last: a continuum then covers the
-/// atoms' depths, although a level's depth of record is not the same in both.
-std::vector<double> enclosing(const std::vector<double>& levels);
-
-/// The same with one more between each two: curves that are cheap are known better.
-std::vector<double> with_halves(const std::vector<double>& levels);
 
 }  // namespace validate

@@ -1,9 +1,22 @@
 #include "compare/study/curves.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 namespace validate {
+
+namespace {
+
+/// The last point's load is a pressure: its force and conjugate depth are those of the flat area.
+void press(Run& run, double pressure_eV_per_A3, double volume_A3, double flat_area_A2) {
+  run.pressure_eV_per_A3.push_back(pressure_eV_per_A3);
+  run.volume_A3.push_back(volume_A3);
+  run.force_eV_per_A.back() = pressure_eV_per_A3 * flat_area_A2;
+  run.conjugate_depth_A.back() = volume_A3 / flat_area_A2;
+}
+
+}  // namespace
 
 void append(Run& run, const membrane::Step& step) {
   run.depth_A.push_back(step.depth_A);
@@ -11,7 +24,9 @@ void append(Run& run, const membrane::Step& step) {
   run.force_eV_per_A.push_back(step.force_eV_per_A);
   run.energy_eV.push_back(step.energy_eV);
   run.converged.push_back(step.converged);
-  run.newton_iterations.push_back(step.newton_iterations);
+  run.continuum().newton_iterations.push_back(step.newton_iterations);
+  if (run.load == LoadKind::pressure)
+    press(run, step.pressure_eV_per_A3, step.volume_A3, step.volume_A3 / step.conjugate_depth_A);
 }
 
 namespace {
@@ -35,7 +50,9 @@ void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::
   run.force_eV_per_A.push_back(step.force_eV_per_A);
   run.energy_eV.push_back(step.energy_eV);
   run.converged.push_back(step.converged);
-  run.newton_iterations.push_back(step.iterations);
+  run.continuum().newton_iterations.push_back(step.iterations);
+  if (run.load == LoadKind::pressure)
+    press(run, step.pressure_eV_per_A3, step.volume_A3, std::numbers::pi * run.a_A * run.a_A);
   if (longest_bond) run.longest_bond_A.push_back(longest(*longest_bond, step.points, stretch));
 }
 
@@ -46,12 +63,17 @@ void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
   run.energy_eV.push_back(step.energy_eV);
   run.converged.push_back(step.converged);
   run.longest_bond_A.push_back(step.longest_bond_A);
-  run.max_force_eV_per_A.push_back(step.max_force_eV_per_A);
-  run.balance_relative.push_back(step.balance_relative);
-  run.force_error_relative.push_back(step.force_error_relative);
-  run.artefact.push_back(step.longest_bond_A >= artefact_from_A);
-  run.force_evaluations.push_back(step.evaluations);
-  run.factorisations.push_back(step.factorisations);
+  if (run.load == LoadKind::pressure) {
+    const double flat_area_A2 = step.force_eV_per_A / step.target;
+    press(run, step.target, step.conjugate_depth_A * flat_area_A2, flat_area_A2);
+  }
+  AtomsPart& part = run.atoms();
+  part.max_force_eV_per_A.push_back(step.max_force_eV_per_A);
+  part.balance_relative.push_back(step.balance_relative);
+  part.force_error_relative.push_back(step.force_error_relative);
+  part.artefact.push_back(step.longest_bond_A >= artefact_from_A);
+  part.force_evaluations.push_back(step.evaluations);
+  part.factorisations.push_back(step.factorisations);
 }
 
 namespace {
@@ -65,7 +87,8 @@ double trapezoids(const std::vector<double>& x, const std::vector<double>& y, st
 }  // namespace
 
 Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps) {
-  Unloading back{.load = run.load};
+  Unloading back;
+  back.load = run.load;
   for (const atomistic::Step& step : steps) {
     if (!step.unloading || !step.converged) continue;
     back.depth_A.push_back(step.depth_A);
@@ -83,12 +106,14 @@ Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps
 }
 
 void close(Run& run, const membrane::Report& report) {
-  run.triangles = report.triangles;
+  run.continuum().triangles = report.triangles;
+  run.continuum().factorisations = report.factorisations;
   run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
   run.ended_reason = report.reason;
 }
 
 void close(Run& run, const membrane::axisymmetric::SheetReport& report) {
+  run.continuum().factorisations = report.factorisations;
   run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
   run.ended_reason = report.reason;
 }
@@ -110,8 +135,8 @@ void close(Run& run, const atomistic::Report& report) {
   }
   run.ended_reason = report.reason;
   if (const auto& c = report.contact)
-    run.contact = {c->force_change_relative, c->depth_change_A, c->force_change_at_equal_depth_relative,
-                   c->deepest_penetration_A};
+    run.atoms().contact = {c->force_change_relative, c->depth_change_A, c->force_change_at_equal_depth_relative,
+                           c->deepest_penetration_A};
 }
 
 }  // namespace validate

@@ -26,12 +26,14 @@ struct StudyOptions {
 struct StudyOutcome {
   Result result;
   std::optional<atomistic::Sheet> sheet;  ///< where atoms were asked for
+  atomistic::Potential potential;         ///< that they have
   std::string failure;                    ///< of the atomistic program; empty: none
   ExitCode failure_code = ExitCode::atomistic_failed;
 };
 
-/// Runs the case. `potential` is there unless the case has its own constants.
-StudyOutcome run_study(const Case& c, const std::optional<PotentialFile>& potential, const StudyOptions& options,
-                       Progress& progress);
+/// Runs the case: card, pair, levels, solve, judge. `potential` is there unless the case has its own constants. The
+/// result's exit code is settled; what failed has been told in it, too.
+StudyOutcome run_study(Command command, const Case& c, const std::optional<PotentialFile>& potential,
+                       const StudyOptions& options, Progress& progress);
 
 }  // namespace validate

@@ -14,7 +14,7 @@ namespace validate {
 
 namespace {
 
-const Run* find_run(const Result& result, Model model, Constants constants, const std::string& load) {
+const Run* find_run(const Result& result, Model model, std::optional<Constants> constants, LoadKind load) {
   const auto match = [&](const Run& run) {
     return run.model == model && run.constants == constants && run.load == load;
   };
@@ -82,11 +82,10 @@ std::string compare_points(const Run& atoms, const std::vector<std::size_t>& poi
     const std::optional<double> force = continuum.at(depth);
     if (!force) {
       return fmt::format("the {}'s curve covers depths from {:.2f} to {:.2f} Å, not the atoms' {:.2f} Å",
-                         agreement.against, continuum.lowest_A(), continuum.highest_A(), depth);
+                         to_string(agreement.against), continuum.lowest_A(), continuum.highest_A(), depth);
     }
-    const double ratio = atoms.force_eV_per_A[i] / *force;
-    agreement.depth_A.push_back(depth);
-    agreement.ratio.push_back(ratio);
+    const double ratio = load_values(atoms)[i] / *force;
+    agreement.ratios.push_back({depth, ratio});
     agreement.max_relative_difference = std::max(agreement.max_relative_difference, std::abs(ratio - 1));
   }
   return {};
@@ -99,7 +98,8 @@ std::string judge_curves(const Run& atoms, const Run& continuum, double bond_A, 
   try {
     return compare_points(atoms, judged.points, Curve(continuum), agreement);
   } catch (const std::invalid_argument& nothing_to_interpolate) {
-    return fmt::format("the {}'s usable points make no curve: {}", agreement.against, nothing_to_interpolate.what());
+    return fmt::format("the {}'s usable points make no curve: {}", to_string(agreement.against),
+                       nothing_to_interpolate.what());
   }
 }
 
@@ -111,7 +111,7 @@ struct Continuum {
 };
 
 Continuum continuum_of(const Case& asked) {
-  if (asked.against == "membrane") return {Model::membrane, Constants::card, "membrane (card constants)"};
+  if (asked.against == Against::membrane) return {Model::membrane, Constants::card, "membrane (card constants)"};
   return {Model::sheet, Constants::calibrated, "sheet (calibrated law)"};
 }
 
@@ -136,23 +136,23 @@ void judge(Result& result) {
   const Case& asked = result.resolved;
   result.agreement.reset();
   const Continuum against = continuum_of(asked);
-  const Run* atoms = find_run(result, Model::atomistic, Constants::none, asked.judged_load);
+  const Run* atoms = find_run(result, Model::atomistic, std::nullopt, asked.judged_load);
   const Run* continuum = find_run(result, against.model, against.constants, asked.judged_load);
   if (!atoms || !continuum) {
-    result.agreement_skipped =
-        fmt::format("there is no {} run of the {} load", atoms ? against.words : "atomistic", asked.judged_load);
+    result.agreement_skipped = fmt::format("there is no {} run of the {} load", atoms ? against.words : "atomistic",
+                                           to_string(asked.judged_load));
     if (atoms && against.model == Model::sheet && !result.law_missing.empty())
       result.agreement_skipped += ": " + result.law_missing;
     return;
   }
   Agreement agreement;
   agreement.load = asked.judged_load;
-  agreement.against = to_string(continuum->model);
+  agreement.against = continuum->model;
   agreement.window = {asked.window.at(0), asked.window.at(1)};
   agreement.tolerance = asked.tolerance;
   result.agreement_skipped = judge_curves(*atoms, *continuum, asked.window_bond_A, agreement);
   if (!result.agreement_skipped.empty()) return;
-  agreement.passed = agreement.max_relative_difference <= agreement.tolerance;
+  agreement.outcome = agreement.max_relative_difference <= agreement.tolerance ? Outcome::agree : Outcome::disagree;
   result.agreement = std::move(agreement);
 }
 
@@ -174,49 +174,66 @@ Regime regime_of(double ratio, bool artefact, double tolerance) {
   return ratio < 1 - tolerance ? Regime::softening : Regime::membrane;
 }
 
-Curve curve_of(const Run& run, const std::vector<double>& x, const std::vector<double>& y) {
-  std::vector<double> at, value;
-  for (const std::size_t i : usable_points(run)) {
-    at.push_back(x[i]);
-    value.push_back(y[i]);
+/// A curve's y at any x: its own value where it has this x (curves under the same pressures), interpolated between,
+/// nothing beyond and where there is no curve.
+class Lookup {
+ public:
+  Lookup(const Run* run, const std::vector<double>& x, const std::vector<double>& y) {
+    if (!run) return;
+    for (const std::size_t i : usable_points(*run)) {
+      x_.push_back(x[i]);
+      y_.push_back(y[i]);
+    }
+    try {
+      curve_.emplace(x_, y_);
+    } catch (const std::invalid_argument&) {  // too few points for one
+    }
   }
-  return Curve(at, value);
-}
 
-/// Ratio of the atoms' force to that of another continuum, at the depths of a comparison.
-std::vector<double> ratios_to(const Run* continuum, const Run& atoms, const std::vector<std::size_t>& points) {
-  std::vector<double> ratios(points.size(), not_known);
-  if (!continuum || usable_points(*continuum).size() < 2) return ratios;
-  const Curve curve(*continuum);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (const auto F = curve.at(atoms.depth_A[points[k]])) ratios[k] = atoms.force_eV_per_A[points[k]] / *F;
-  return ratios;
+  double at(double x) const {
+    constexpr double same = 1e-12;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      if (std::abs(x_[i] - x) <= same * std::abs(x)) return y_[i];
+    return curve_ ? curve_->at(x).value_or(not_known) : not_known;
+  }
+
+ private:
+  std::vector<double> x_, y_;
+  std::optional<Curve> curve_;
+};
+
+Lookup loads_by_depth(const Run* run) {
+  return run ? Lookup(run, run->depth_A, load_values(*run)) : Lookup(nullptr, {}, {});
+}
+Lookup depths_by_load(const Run* run) {
+  return run ? Lookup(run, load_values(*run), run->depth_A) : Lookup(nullptr, {}, {});
 }
 
 Comparison comparison_of(const Result& result, const Run& atoms, const Run& membrane) {
   const double tolerance = result.resolved.regime_tolerance;
-  const Curve force(membrane), energy = curve_of(membrane, membrane.depth_A, membrane.energy_eV),
-                               depth = curve_of(membrane, membrane.force_eV_per_A, membrane.depth_A);
+  const Run* sheet = find_run(result, Model::sheet, Constants::calibrated, atoms.load);
+  const Run* calibrated = find_run(result, Model::membrane, Constants::calibrated, atoms.load);
+  const Lookup force = loads_by_depth(&membrane), depth = depths_by_load(&membrane),
+               energy(&membrane, membrane.depth_A, membrane.energy_eV), sheet_force = loads_by_depth(sheet),
+               sheet_depth = depths_by_load(sheet), calibrated_force = loads_by_depth(calibrated);
   Comparison c;
   c.load = atoms.load;
-  std::vector<std::size_t> points;
   for (const std::size_t i : converged_points(atoms)) {
-    const auto F = force.at(atoms.depth_A[i]), W = energy.at(atoms.depth_A[i]);
-    if (!F || !W) continue;
-    points.push_back(i);
-    c.depth_A.push_back(atoms.depth_A[i]);
-    c.depth_relative.push_back(atoms.depth_A[i] / atoms.a_A);
-    c.force_ratio.push_back(atoms.force_eV_per_A[i] / *F);
-    c.energy_ratio.push_back(atoms.energy_eV[i] / *W);
-    const auto d = depth.at(atoms.force_eV_per_A[i]);
-    c.depth_ratio.push_back(d ? atoms.depth_A[i] / *d : not_known);
-    c.regime.push_back(regime_of(c.force_ratio.back(), atoms.artefact[i], tolerance));
-    if (atoms.artefact[i] && !std::isfinite(c.artefact_from_A)) c.artefact_from_A = atoms.depth_A[i];
+    const double d = atoms.depth_A[i], F = load_values(atoms)[i];
+    const double force_ratio = F / force.at(d), depth_ratio = d / depth.at(F);
+    if (!std::isfinite(force_ratio) && !(atoms.load == LoadKind::pressure && std::isfinite(depth_ratio))) continue;
+    const bool artefact = atoms.atoms().artefact[i];
+    c.depth_A.push_back(d);
+    c.depth_relative.push_back(d / atoms.a_A);
+    c.force_ratio.push_back(force_ratio);
+    c.depth_ratio.push_back(depth_ratio);
+    c.energy_ratio.push_back(atoms.energy_eV[i] / energy.at(d));
+    c.calibrated_membrane_ratio.push_back(F / calibrated_force.at(d));
+    c.sheet_ratio.push_back(F / sheet_force.at(d));
+    c.sheet_depth_ratio.push_back(d / sheet_depth.at(F));
+    c.regime.push_back(regime_of(force_ratio, artefact, tolerance));
+    if (artefact && !std::isfinite(c.artefact_from_A)) c.artefact_from_A = d;
   }
-  const Run* sheet = find_run(result, Model::sheet, Constants::calibrated, atoms.load);
-  c.sheet_ratio = ratios_to(sheet, atoms, points);
-  c.calibrated_membrane_ratio =
-      ratios_to(find_run(result, Model::membrane, Constants::calibrated, atoms.load), atoms, points);
   if (sheet) c.predicted_artefact_from_A = depth_at_bond(*sheet, artefact_bond_of(result)).value_or(not_known);
   c.bending_to_A = crossing(c, 1 + tolerance);
   c.softening_from_A = crossing(c, 1 - tolerance);
@@ -228,13 +245,13 @@ Comparison comparison_of(const Result& result, const Run& atoms, const Run& memb
 void compare_curves(Result& result) {
   result.comparisons.clear();
   for (const Run& atoms : result.runs) {
-    if (atoms.model != Model::atomistic) continue;
+    if (!atoms.is_atomistic()) continue;
     const Run* membrane = find_run(result, Model::membrane, Constants::card, atoms.load);
     if (!membrane) continue;
-    try {
-      result.comparisons.push_back(comparison_of(result, atoms, *membrane));
-    } catch (const std::invalid_argument&) {  // too few points for a curve
-    }
+    Comparison comparison = comparison_of(result, atoms, *membrane);
+    // A membrane of one point, or none, has no curve to compare with.
+    if (!comparison.depth_A.empty() || usable_points(*membrane).size() > 1)
+      result.comparisons.push_back(std::move(comparison));
   }
 }
 

@@ -1,4 +1,5 @@
-// The reading half of the thin layer over HDF5.
+// The reading half of the thin layer over HDF5. A file may come from anybody: class, size and length of everything are
+// checked before it is read, and what leads out of the file is refused.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +13,16 @@
 
 namespace validate::h5 {
 
-/// A group opened for reading. Names that are not there are no error where the answer says so; anything else
-/// that fails throws Error (file failed).
+/// A data set of numbers with the attributes that say what it holds.
+struct NumberSet {
+  std::vector<double> values;
+  std::string unit, meaning;
+  int components = 1;
+};
+
+/// A group opened for reading. Names that are not there are no error where the answer says so; anything else throws
+/// Error (file failed): a link that is not to an object of this file, another class than asked for, texts of fixed
+/// length, more than one dimension, more values than any document of this program has.
 class ReadGroup {
  public:
   ReadGroup(std::shared_ptr<Handle> file, Handle group) : file_(std::move(file)), group_(std::move(group)) {}
@@ -25,10 +34,13 @@ class ReadGroup {
   std::vector<double> numbers(const std::string& attribute) const;
   std::string text(const std::string& attribute) const;
   std::vector<std::string> texts(const std::string& attribute) const;
+  std::vector<std::string> attribute_names() const;
 
   // Data sets; empty where there is none of that name.
   std::vector<double> column(const std::string& name) const;
   std::vector<std::string> text_column(const std::string& name) const;
+  NumberSet number_set(const std::string& name) const;
+  std::vector<std::string> data_set_names() const;
 
  private:
   std::shared_ptr<Handle> file_;  // stays open as long as one of its groups

@@ -37,7 +37,7 @@ std::vector<std::size_t> shown_depths(std::size_t count) {
 namespace {
 
 Panel panel_of(const Explanation& e) {
-  Panel panel{.title = e.load + " load",
+  Panel panel{.title = fmt::format("{} load", e.load),
               .x = {.label = "depth / effective radius", .unit = {}, .key = "depth_relative"},
               .y = {.label = "% of the plain membrane force", .unit = {}, .key = "share_percent"},
               .legend = Legend::right_top,

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int pieces = 200;  // of a smooth curve
 
-std::vector<std::string> loads_of(const Result& result) {
-  std::vector<std::string> loads;
+std::vector<LoadKind> loads_of(const Result& result) {
+  std::vector<LoadKind> loads;
   for (const Run& run : result.runs) {
     if (std::ranges::find(loads, run.load) == loads.end()) loads.push_back(run.load);
   }
@@ -44,7 +44,7 @@ void add_continuum(std::vector<PlotCurve>& all, const Run& run, Colour colour) {
   const bool sheet = run.model == Model::sheet, paper = run.constants == Constants::paper;
   if (!sheet && run.constants == Constants::calibrated) return;
   PlotCurve curve{.name = sheet ? fmt::format("sheet, {}, calibrated law with bending", run.load)
-                                : fmt::format("membrane, {}, {} constants", run.load, to_string(run.constants)),
+                                : fmt::format("membrane, {}, {} constants", run.load, *run.constants),
                   .x = {},
                   .y = {},
                   .colour = colour,
@@ -69,8 +69,8 @@ void add_atoms(std::vector<PlotCurve>& all, const Run& run, std::size_t load, do
                      .colour = nth_colour(load)};
   points.open = true;
   artefact.points = points;
-  for (std::size_t i = 0; i < run.artefact.size(); ++i) {
-    if (run.artefact[i] && run.converged[i]) add_point(artefact, run.depth_A[i], run.force_eV_per_A[i]);
+  for (std::size_t i = 0; i < run.depth_A.size(); ++i) {
+    if (run.atoms().artefact[i] && run.converged[i]) add_point(artefact, run.depth_A[i], run.force_eV_per_A[i]);
   }
   if (!usable.x.empty()) all.push_back(std::move(usable));
   if (!artefact.x.empty()) all.push_back(std::move(artefact));
@@ -125,7 +125,7 @@ void add_eq16(std::vector<PlotCurve>& all, const Result& result) {
 
 /// Curves of the runs and, where a load's longest bond first reached the artefact length, a band in its colour.
 void add_runs(Panel& panel, const Result& result) {
-  const std::vector<std::string> loads = loads_of(result);
+  const std::vector<LoadKind> loads = loads_of(result);
   const auto load_of = [&](const Run& run) {
     return static_cast<std::size_t>(std::ranges::find(loads, run.load) - loads.begin());
   };
@@ -134,7 +134,7 @@ void add_runs(Panel& panel, const Result& result) {
     if (const std::optional<std::size_t> first = first_artefact(run))
       panel.zones.push_back({.from = run.depth_A[*first],
                              .colour = nth_colour(load_of(run)),
-                             .name = "artefact zone, " + run.load,
+                             .name = fmt::format("artefact zone, {}", run.load),
                              .edge = true});
   }
   for (const Run& run : result.runs) {

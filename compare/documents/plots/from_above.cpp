@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "compare/base/units.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
@@ -12,7 +12,7 @@
 namespace validate {
 namespace {
 
-Panel atoms_panel(const std::string& load, const std::vector<AtomFromAbove>& atoms) {
+Panel atoms_panel(LoadKind load, const std::vector<AtomFromAbove>& atoms) {
   PlotCurve curve{.name = "longest_bond_A", .x = {}, .y = {}};
   curve.points = Points{.size = std::clamp(55 / std::sqrt(static_cast<double>(atoms.size())), 0.12, 0.8)};
   double size = 0;
@@ -28,42 +28,36 @@ Panel atoms_panel(const std::string& load, const std::vector<AtomFromAbove>& ato
   return panel;
 }
 
-/// Rings cut into triangles, over one quarter of the disc.
-TriangleMap map_of(const RoundField& field) {
-  constexpr int sectors = 18;
-  TriangleMap map{
-      .name = "membrane", .key = "larger_principal_force_N_per_m", .corners = {}, .value = {}, .quarter = true};
-  const auto at = [&](std::size_t circle, int k) {
-    const double angle = std::numbers::pi / 2 * k / sectors;
-    return Eigen::Vector2d(field.radius_A[circle] * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
-  };
-  for (std::size_t i = 1; i < field.radius_A.size(); ++i) {
-    if (field.tip_A <= 0 && field.radius_A[i - 1] < 0.01 * field.radius_A.back()) continue;
-    const double mean = (field.larger_force_eV_per_A2[i - 1] + field.larger_force_eV_per_A2[i]) / 2;
-    for (int k = 0; k < sectors; ++k) {
-      map.corners.push_back({at(i - 1, k), at(i, k), at(i, k + 1)});
-      map.corners.push_back({at(i - 1, k), at(i, k + 1), at(i - 1, k + 1)});
-      map.value.insert(map.value.end(), 2, N_per_m_per_eV_per_A2 * mean);
-    }
+void leave_out_within(double radius_A, TriangleMap& map) {
+  TriangleMap kept = map;
+  kept.corners.clear(), kept.value.clear();
+  for (std::size_t i = 0; i < map.value.size(); ++i) {
+    const auto& c = map.corners[i];
+    if ((c[0] + c[1] + c[2]).norm() / 3 < radius_A) continue;
+    kept.corners.push_back(c);
+    kept.value.push_back(map.value[i]);
   }
-  return map;
+  map = std::move(kept);
 }
 
-Panel membrane_panel(const RoundField& field) {
-  Panel panel =
-      seen_from_above(fmt::format("membrane, {} load: larger Cauchy force", field.load), field.radius_A.back());
-  panel.maps = {map_of(field)};
+Panel membrane_panel(const Run& run, const SheetPicture& picture) {
+  TriangleMap map = triangle_map(picture, "larger principal force", "cauchy_1_eV_per_A3");
+  map.key = "larger_principal_force_N_per_m";
+  for (double& value : map.value) value *= picture.thickness_A * N_per_m_per_eV_per_A2;
+  if (!(run.tip_A > 0)) leave_out_within(0.01 * run.a_A, map);
+  Panel panel = seen_from_above(fmt::format("membrane, {} load: larger Cauchy force", run.load), run.a_A);
+  panel.maps = {std::move(map)};
   panel.scale.label = "N/m";
   return panel;
 }
 
 }  // namespace
 
-Plot from_above_plot(const std::string& load, const std::vector<AtomFromAbove>& atoms,
-                     const std::optional<RoundField>& membrane) {
+Plot from_above_plot(LoadKind load, const std::vector<AtomFromAbove>& atoms, const Run* membrane) {
   Plot plot;
   if (!atoms.empty()) plot.panels.push_back(atoms_panel(load, atoms));
-  if (membrane && membrane->radius_A.size() > 1) plot.panels.push_back(membrane_panel(*membrane));
+  const auto* pictures = membrane ? membrane->continuum().pictures.get() : nullptr;
+  if (pictures && !pictures->empty()) plot.panels.push_back(membrane_panel(*membrane, pictures->back()));
   plot.columns = static_cast<int>(plot.panels.size());
   plot.width = 550 * plot.columns, plot.height = 500;
   return plot;

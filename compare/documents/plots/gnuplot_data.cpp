@@ -61,7 +61,7 @@ std::string block(const std::vector<StackedBars>& all, std::size_t which) {
 
 }  // namespace
 
-void Extent::add(double value) {
+void DataRange::add(double value) {
   if (!std::isfinite(value)) return;
   low = std::min(low, value);
   high = std::max(high, value);

@@ -10,7 +10,7 @@
 namespace validate {
 
 /// The smallest and the largest of the finite values added.
-struct Extent {
+struct DataRange {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double value);
   bool known() const { return low <= high; }

@@ -106,8 +106,8 @@ double step_of_tics(double length) {
 }
 
 /// x of the points, or y.
-Extent range_of(const Panel& panel, char which) {
-  Extent range;
+DataRange range_of(const Panel& panel, char which) {
+  DataRange range;
   for (const PlotCurve& curve : panel.curves) {
     for (const double value : which == 'x' ? curve.x : curve.y) range.add(value);
     if (which == 'y')
@@ -119,7 +119,7 @@ Extent range_of(const Panel& panel, char which) {
 std::string axis_commands(const Panel& panel, const Axis& axis, char which) {
   std::string text = fmt::format("set {}label {}\n", which, gnuplot_quoted(axis_text(axis)));
   std::optional<double> low = axis.low, high = axis.high;
-  const Extent range = range_of(panel, which);
+  const DataRange range = range_of(panel, which);
   if (axis.logarithmic && range.known() && range.low > 0) {
     low = low.value_or(range.low / 1.15), high = high.value_or(range.high * 1.15);
     text += fmt::format("set logscale {0}\nset {0}tics ({1})\n", which, logarithmic_tics(*low, *high));
@@ -174,7 +174,7 @@ std::string colour_commands(const Panel& panel) {
   }
   for (std::size_t i = 0; i < scale_of_fields().size(); ++i)
     fmt::format_to(std::back_inserter(colours), "{}{} '{}'", i ? ", " : "", i, scale_of_fields()[i]);
-  Extent range;
+  DataRange range;
   for (const TriangleMap& map : panel.maps)
     for (const double value : map.value) range.add(value);
   for (const PlotCurve& curve : panel.curves)

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <utility>
 
 #include "compare/base/units.hpp"
 #include "compare/fitting/fit_intervals.hpp"
+#include "compare/fitting/models/list.hpp"
 
 namespace validate {
 namespace {
@@ -42,9 +44,11 @@ constexpr Points small{.size = 0.5};
 constexpr Line dashed{.dash = Dash::dashed};
 
 /// The fitted closed form, offsets included, as a dense line.
-PlotCurve closed_form_curve(const MeasuredResult& result, const MeasuredOptions& options) {
-  const Fit& fit = result.fit;
-  const AnyCurveModel model = with_offsets(closed_form(options.model, "--model").make(options.geometry),
+PlotCurve closed_form_curve(const FittedCurve& result) {
+  const Fit& fit = *closed_form_fit(result.fits);
+  const ModelGeometry geometry{
+      .a_A = result.radius_A, .nu = result.nu, .tip_A = result.tip_radius_A, .bending_eV = result.bending_modulus_eV};
+  const AnyCurveModel model = with_offsets(closed_form(result.model, "model").make(geometry),
                                            fit.depth_offset_A.has_value(), fit.force_offset_eV_per_A.has_value());
   std::vector<double> parameters = {fit.Eh_eV_per_A2, fit.pretension_eV_per_A2};
   if (fit.depth_offset_A) parameters.push_back(*fit.depth_offset_A);
@@ -54,14 +58,16 @@ PlotCurve closed_form_curve(const MeasuredResult& result, const MeasuredOptions&
     depth.push_back(fit.window_A[1] * i / 200);
     force.push_back(model.value(depth.back(), parameters));
   }
-  return with(force_curve(options.model, depth, force, colour_of_membrane), Line{}, {});
+  return with(force_curve(result.model, depth, force, colour_of_membrane), Line{}, {});
 }
 
-/// The fit of the membrane itself, back on the curve's zero of force.
-PlotCurve direct_curve(const MeasuredResult& result) {
-  std::vector<double> force = result.direct_force_eV_per_A;
-  for (double& f : force) f += result.fit.force_offset_eV_per_A.value_or(0);
-  return with(force_curve("membrane itself", result.direct_depth_A, force, Colour::vermilion), dashed, {});
+std::string itself(const Fit& direct) { return direct.model + " itself"; }
+
+/// The fit of the continuum itself, back on the curve's zero of force.
+PlotCurve direct_curve(const Fit& closed, const Fit& direct) {
+  std::vector<double> force = direct.model_force_eV_per_A;
+  for (double& f : force) f += closed.force_offset_eV_per_A.value_or(0);
+  return with(force_curve(itself(direct), direct.fitted_depth_A, force, Colour::vermilion), dashed, {});
 }
 
 Panel force_panel(const char* label, const char* key) {
@@ -73,8 +79,9 @@ Panel force_panel(const char* label, const char* key) {
 
 /// A parameter against the window. It goes to very different values in short windows: the panel shows the fitted value
 /// ± 30 %, or 8 errors.
-Panel scan_panel(const MeasuredResult& result, const std::string& model, const Axis& axis,
-                 const std::vector<double>& scanned, double value, double error, const std::optional<double>& direct) {
+Panel scan_panel(const FittedCurve& result, const std::string& model, const Axis& axis,
+                 const std::vector<double>& scanned, double value, double error, const Fit* direct,
+                 double direct_value) {
   const double reach = std::max(0.3 * std::abs(value), 8 * error);
   Panel panel{.title = {},
               .x = {.label = "largest depth fitted", .unit = "nm", .key = "depth_max_nm", .low = 0},
@@ -89,9 +96,9 @@ Panel scan_panel(const MeasuredResult& result, const std::string& model, const A
                           .line = Line{.width = 1},
                           .points = small});
   if (direct)
-    panel.curves.push_back({.name = "membrane itself",
-                            .x = {0, nm_per_A * result.fit.window_A[1]},
-                            .y = std::vector<double>(2, N_per_m_per_eV_per_A2 * *direct),
+    panel.curves.push_back({.name = itself(*direct),
+                            .x = {0, nm_per_A * direct->window_A[1]},
+                            .y = std::vector<double>(2, N_per_m_per_eV_per_A2 * direct_value),
                             .colour = Colour::vermilion,
                             .line = dashed});
   return panel;
@@ -99,27 +106,26 @@ Panel scan_panel(const MeasuredResult& result, const std::string& model, const A
 
 }  // namespace
 
-Plot measured_plot(const MeasuredResult& result, const MeasuredOptions& options) {
-  const Fit& fit = result.fit;
+Plot measured_plot(const FittedCurve& result) {
+  const Fit& fit = *closed_form_fit(result.fits);
   Panel force = force_panel("force", "force_nN"), residual = force_panel("residual", "residual_nN");
   force.curves = {with(force_curve("data", result.depth_A, result.force_eV_per_A, Colour::grey), {}, small),
-                  closed_form_curve(result, options)};
-  if (fit.direct) force.curves.push_back(direct_curve(result));
-  residual.curves = {
-      with(force_curve("data − " + options.model, fit.fitted_depth_A, fit.residual_eV_per_A, colour_of_membrane), {},
-           small)};
+                  closed_form_curve(result)};
+  const Fit* direct = continuum_fit(result.fits);
+  if (direct) force.curves.push_back(direct_curve(fit, *direct));
+  residual.curves = {with(
+      force_curve("data − " + result.model, fit.fitted_depth_A, fit.residual_eV_per_A, colour_of_membrane), {}, small)};
   residual.marks = {{.along = Along::y, .at = 0}};
-  std::optional<double> direct_Eh, direct_pretension;
-  if (fit.direct) direct_Eh = fit.direct->Eh_eV_per_A2, direct_pretension = fit.direct->pretension_eV_per_A2;
   const double pretension_error = std::max(fit.pretension_stderr_eV_per_A2, std::abs(fit.pretension_eV_per_A2) / 10);
   return {
-      .title = result.curve.file.filename().string(),
+      .title = std::filesystem::path(result.file).filename().string(),
       .panels = {std::move(force), std::move(residual),
-                 scan_panel(result, options.model, {.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"},
-                            result.scan.Eh_eV_per_A2, fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, direct_Eh),
-                 scan_panel(result, options.model, {.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"},
-                            result.scan.pretension_eV_per_A2, fit.pretension_eV_per_A2, pretension_error,
-                            direct_pretension)},
+                 scan_panel(result, result.model, {.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"},
+                            result.scan.Eh_eV_per_A2, fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, direct,
+                            direct ? direct->Eh_eV_per_A2 : 0),
+                 scan_panel(result, result.model, {.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"},
+                            result.scan.pretension_eV_per_A2, fit.pretension_eV_per_A2, pretension_error, direct,
+                            direct ? direct->pretension_eV_per_A2 : 0)},
       .columns = 2,
       .width = 1000,
       .height = 760};

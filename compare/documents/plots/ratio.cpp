@@ -35,9 +35,11 @@ std::vector<PlotCurve> curves_of(const Result& result) {
   for (std::size_t i = 0; i < result.comparisons.size(); ++i) {
     const Comparison& c = result.comparisons[i];
     const Colour colour = nth_colour(i);
-    add_curve(all, c, c.force_ratio, colour, Dash::long_dash_dotted, c.load + ", membrane, card constants");
-    add_curve(all, c, c.calibrated_membrane_ratio, colour, Dash::dotted, c.load + ", membrane, calibrated law");
-    add_curve(all, c, c.sheet_ratio, colour, Dash::solid, c.load + ", sheet, calibrated law");
+    add_curve(all, c, c.force_ratio, colour, Dash::long_dash_dotted,
+              fmt::format("{}", c.load) + ", membrane, card constants");
+    add_curve(all, c, c.calibrated_membrane_ratio, colour, Dash::dotted,
+              fmt::format("{}", c.load) + ", membrane, calibrated law");
+    add_curve(all, c, c.sheet_ratio, colour, Dash::solid, fmt::format("{}", c.load) + ", sheet, calibrated law");
   }
   return all;
 }

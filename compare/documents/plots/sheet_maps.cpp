@@ -22,16 +22,6 @@ Eigen::Vector2d deformed(const SheetPicture& picture, int node) {
                          picture.displacement[static_cast<std::size_t>(3 * node + 1)]);
 }
 
-TriangleMap map_of(const SheetPicture& picture, const std::string& name, const std::string& key) {
-  TriangleMap map{.name = name, .key = key, .corners = {}, .value = column(picture.triangles, key)};
-  map.quarter = is_quarter(picture);
-  for (const auto& triangle : picture.mesh.triangles) {
-    const auto& n = triangle.nodes;
-    map.corners.push_back({deformed(picture, n[0]), deformed(picture, n[1]), deformed(picture, n[2])});
-  }
-  return map;
-}
-
 /// Strokes along the tension of wrinkled triangles, thinned out to about fourteen a direction.
 PlotCurve rays(const SheetPicture& picture) {
   constexpr int across = 14;
@@ -63,7 +53,7 @@ PlotCurve rays(const SheetPicture& picture) {
 
 Panel stress_panel(const SheetPicture& picture, const std::string& title, const std::string& key) {
   Panel panel = seen_from_above(title, half_side(picture));
-  panel.maps = {map_of(picture, title, key)};
+  panel.maps = {triangle_map(picture, title, key)};
   panel.scale.label = "eV/Å³";
   panel.scale.low = std::min(0.0, std::ranges::min(panel.maps[0].value));
   return panel;
@@ -71,13 +61,23 @@ Panel stress_panel(const SheetPicture& picture, const std::string& title, const 
 
 Panel state_panel(const SheetPicture& picture) {
   Panel panel = seen_from_above("states and tension rays", half_side(picture));
-  panel.maps = {map_of(picture, "state", "state")};
+  panel.maps = {triangle_map(picture, "state", "state")};
   panel.scale = scale_of_states();
   panel.curves = {rays(picture)};
   return panel;
 }
 
 }  // namespace
+
+TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key) {
+  TriangleMap map{.name = name, .key = key, .corners = {}, .value = column(picture.triangles, key)};
+  map.quarter = is_quarter(picture);
+  for (const auto& triangle : picture.mesh.triangles) {
+    const auto& n = triangle.nodes;
+    map.corners.push_back({deformed(picture, n[0]), deformed(picture, n[1]), deformed(picture, n[2])});
+  }
+  return map;
+}
 
 Panel seen_from_above(const std::string& title, double half_side_A) {
   const double end = 1.02 * half_side_A;

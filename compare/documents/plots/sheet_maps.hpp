@@ -10,6 +10,9 @@ namespace validate {
 /// in wrinkled triangles. A quarter is drawn with its mirror images.
 Plot sheet_plot(const SheetPicture& picture);
 
+/// A column of the triangles as a map over the deformed sheet.
+TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key);
+
 /// Axes x and y of a square about the origin, and how colours say states (0 taut, 1 wrinkled, 2 slack).
 Panel seen_from_above(const std::string& title, double half_side_A);
 ColourScale scale_of_states();

@@ -7,7 +7,7 @@
 namespace validate {
 namespace {
 
-void add_curves(Panel& panel, const atomistic::StressCurve& c, double artefact_bond_A, Colour colour) {
+void add_curves(Panel& panel, const StressCurve& c, double artefact_bond_A, Colour colour) {
   PlotCurve solid{.name = c.direction, .x = {}, .y = {}, .colour = colour, .line = Line{.width = 2}};
   PlotCurve beyond = solid;
   beyond.name += fmt::format(", a bond beyond {} Å", artefact_bond_A);
@@ -29,15 +29,15 @@ void add_curves(Panel& panel, const atomistic::StressCurve& c, double artefact_b
 
 }  // namespace
 
-Plot stress_strain_plot(const PotentialCard& card) {
-  const auto& potential = card.potential.potential;
+Plot stress_strain_plot(const Result& result) {
+  const PotentialSummary& potential = result.potential;
   Panel panel{.title = fmt::format("{}: homogeneous strain at T = 0 (dotted: a bond beyond {} Å)", potential.name,
                                    potential.artefact_bond_A),
               .x = {.label = "nominal strain", .unit = "%", .key = "strain_percent", .low = 0},
               .y = {.label = "nominal stress", .unit = "N/m", .key = "stress_N_per_m", .low = 0},
               .legend = Legend::right_bottom};
-  for (std::size_t i = 0; i < card.response.curves.size(); ++i)
-    add_curves(panel, card.response.curves[i], potential.artefact_bond_A, nth_colour(i));
+  for (std::size_t i = 0; i < result.stress_curves.size(); ++i)
+    add_curves(panel, result.stress_curves[i], potential.artefact_bond_A, nth_colour(i));
   return {.panels = {std::move(panel)}, .width = 900, .height = 620};
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "compare/documents/plots/plot.hpp"
-#include "compare/potential/potential_card.hpp"
+#include "compare/results/result.hpp"
 
 namespace validate {
 
 /// A curve per direction, nominal stress (N/m) over nominal strain (%), solid up to the artefact length of the bonds
 /// and dotted beyond.
-Plot stress_strain_plot(const PotentialCard& card);
+Plot stress_strain_plot(const Result& result);
 
 }  // namespace validate

@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/potential/law/states.hpp"
-
 namespace validate {
 namespace {
 
@@ -14,18 +12,18 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-template <class Terms, class Coefficient>
-std::string rows(const Terms& terms, Coefficient coefficient) {
+std::string rows(const std::vector<int>& a, const std::vector<int>& b, const std::vector<double>& c) {
   std::string text;
-  for (const auto& term : terms) text += fmt::format("  [{}, {}, {}],\n", term.a, term.b, coefficient(term));
+  for (std::size_t k = 0; k < c.size(); ++k) text += fmt::format("  [{}, {}, {}],\n", a[k], b[k], c[k]);
   return text;
 }
 
 }  // namespace
 
-std::string law_toml(const PotentialCard& p) {
-  const CalibratedLaw& c = *p.law;
-  const atomistic::Card& card = p.card;
+std::string law_toml(const Result& result) {
+  const LawSummary& law = *result.law;
+  const CardSummary& card = *result.card;
+  const PotentialSummary& potential = result.potential;
   return fmt::format(
       "# Graphene as the potential {name} has it: a hyperelastic sheet at T = 0.\n"
       "#\n"
@@ -42,16 +40,15 @@ std::string law_toml(const PotentialCard& p) {
       "#   l = rest_A + sum of c I^a q^b, reaches its longest_A.\n"
       "[range]\nsmallest_strain = {smallest}\nlongest_A = {longest}\nconvex = {convex}\n\n"
       "[longest_bond]\nrest_A = {rest}\nterms_A = [  # a, b, c\n{bond_terms}]\nworst_misfit_A = {bond_worst}\n",
-      fmt::arg("name", p.potential.potential.name), fmt::arg("potential", quoted(p.potential.potential.name)),
-      fmt::arg("citation", quoted(p.potential.potential.citation)), fmt::arg("sha", quoted(p.potential.sha256)),
-      fmt::arg("lammps", quoted(p.lammps)), fmt::arg("a0", card.a0_A), fmt::arg("C11", card.C11_eV_per_A2),
-      fmt::arg("C12", card.C12_eV_per_A2), fmt::arg("kappa", card.bending_modulus_eV()), fmt::arg("degree", c.degree),
-      fmt::arg("terms", rows(c.law.terms, [](const auto& t) { return t.coefficient_eV_per_A2; })),
-      fmt::arg("rms", c.rms_misfit), fmt::arg("worst", c.worst_misfit), fmt::arg("smallest", c.smallest_strain),
-      fmt::arg("longest", longest_calibrated_bond_A), fmt::arg("convex", c.convexity.convex()),
-      fmt::arg("rest", c.longest_bond.rest_A),
-      fmt::arg("bond_terms", rows(c.longest_bond.terms, [](const auto& t) { return t.coefficient_A; })),
-      fmt::arg("bond_worst", c.longest_bond.worst_misfit_A));
+      fmt::arg("name", potential.name), fmt::arg("potential", quoted(potential.name)),
+      fmt::arg("citation", quoted(potential.citation)), fmt::arg("sha", quoted(potential.sha256)),
+      fmt::arg("lammps", quoted(card.lammps)), fmt::arg("a0", card.a0_A), fmt::arg("C11", card.C11_eV_per_A2),
+      fmt::arg("C12", card.C12_eV_per_A2), fmt::arg("kappa", card.bending_modulus_eV), fmt::arg("degree", law.degree),
+      fmt::arg("terms", rows(law.power_of_I, law.power_of_q, law.coefficient_eV_per_A2)),
+      fmt::arg("rms", law.rms_misfit), fmt::arg("worst", law.worst_misfit), fmt::arg("smallest", law.smallest_strain),
+      fmt::arg("longest", law.longest_bond_A), fmt::arg("convex", law.convex), fmt::arg("rest", law.bond.rest_A),
+      fmt::arg("bond_terms", rows(law.bond.power_of_I, law.bond.power_of_q, law.bond.coefficient_A)),
+      fmt::arg("bond_worst", law.bond.worst_misfit_A));
 }
 
 }  // namespace validate

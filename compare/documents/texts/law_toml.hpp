@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "compare/potential/potential_card.hpp"
+#include "compare/results/result.hpp"
 
 namespace validate {
 
 /// Energy, coefficients, range, bending modulus and origin. The card must have a law.
-std::string law_toml(const PotentialCard& card);
+std::string law_toml(const Result& card);
 
 }  // namespace validate

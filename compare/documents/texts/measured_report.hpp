@@ -1,19 +1,13 @@
-// What `validate fit` prints and writes.
+// What was found in a measured curve, as the terminal shows it.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
-#include "compare/fitting/measured_fit.hpp"
+#include "compare/results/measured.hpp"
 
 namespace validate {
 
-/// One block per curve: the numbers with their errors, bias, correction, membrane, warnings.
-std::string measured_text(const MeasuredResult& result, const MeasuredOptions& options);
-
-/// All curves of a command, each with its options; described by inputs/fit.schema.json.
-nlohmann::ordered_json measured_document(const std::vector<MeasuredResult>& results,
-                                         const std::vector<MeasuredOptions>& options, const std::string& command_line);
+/// A block of lines: E·h and pretension by every model fitted, with intervals and warnings.
+std::string measured_text(const FittedCurve& curve);
 
 }  // namespace validate

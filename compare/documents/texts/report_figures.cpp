@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,6 @@
 #include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/report_html.hpp"
-#include "compare/study/round_membrane.hpp"
 
 namespace validate {
 namespace {
@@ -48,11 +48,21 @@ struct Drawing {
   Plot plot;
 };
 
-/// The atoms come from the run's folder, the membrane's field is solved again.
+/// The membrane beside the atoms: like for like under the judged load, or the given one.
+const Run* shown_membrane(const Result& result) {
+  const auto found = std::ranges::find_if(result.runs, [&](const Run& run) {
+    return run.model == Model::membrane &&
+           (run.constants == Constants::given ||
+            (run.constants == Constants::card && run.load == result.resolved.judged_load));
+  });
+  return found == result.runs.end() ? nullptr : &*found;
+}
+
+/// The atoms come from the run's folder.
 Plot sheets_from_above(const Result& result, const std::filesystem::path& run_folder) {
-  const std::string& load = result.resolved.judged_load;
+  const LoadKind load = result.resolved.judged_load;
   return from_above_plot(load, read_free_atoms(run_folder / fmt::format("atoms-{}.extxyz", load)),
-                         deepest_round_field(result));
+                         shown_membrane(result));
 }
 
 std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <tuple>
 
 #include "compare/base/units.hpp"
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
-#include "compare/documents/texts/summary_json.hpp"
+#include "compare/documents/texts/json.hpp"
 
 namespace validate {
 namespace {
@@ -29,9 +28,9 @@ std::string number(double value, const char* format) {
 
 std::string name_of(const Run& run) {
   const std::string name =
-      fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : to_string(run.model), run.load);
-  if (run.constants == Constants::none) return name;
-  return fmt::format("{}, {} {}", name, to_string(run.constants),
+      fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : to_string(run.model), to_string(run.load));
+  if (!run.constants) return name;
+  return fmt::format("{}, {} {}", name, to_string(*run.constants),
                      run.constants == Constants::calibrated ? "law" : "constants");
 }
 
@@ -55,10 +54,11 @@ std::string verdict(const Result& result) {
       "<p class=\"verdict {}\"><b>{}</b>: over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force "
       "differs from "
       "{} by at most {:.2f} % (tolerance {:.2f} %).</p>\n",
-      a.passed ? "good" : "bad", a.passed ? "Agreement" : "Disagreement", a.window[0], a.window[1],
-      html::escaped(a.load),
-      a.against == "sheet" ? "that of the sheet that the potential's own law makes, with bending and no fitted number,"
-                           : "the like-for-like membrane's",
+      a.outcome == Outcome::agree ? "good" : "bad", a.outcome == Outcome::agree ? "Agreement" : "Disagreement",
+      a.window[0], a.window[1], to_string(a.load),
+      a.against == Model::sheet
+          ? "that of the sheet that the potential's own law makes, with bending and no fitted number,"
+          : "the like-for-like membrane's",
       100 * a.max_relative_difference, 100 * a.tolerance);
 }
 
@@ -88,13 +88,15 @@ std::string headline_tables(const Result& result) {
   for (const Run& run : result.runs) {
     const std::string modulus = number(in_N_per_m(run.Eh_eV_per_A2), "{:.1f}");
     const std::string pretension = number(in_N_per_m(run.pretension_eV_per_A2), "{:.3f}");
-    if (!run.fit) {
+    const Fit* found = closed_form_fit(run.fits);
+    if (!found) {
       moduli.push_back({name_of(run), modulus, "no fit", "–", "–", "–"});
       pretensions.push_back({name_of(run), pretension, "no fit", "–", "–", "–"});
       continue;
     }
-    const Fit& fit = *run.fit;
-    const auto& [bias, direct] = std::tie(fit.bias, fit.direct);
+    const Fit& fit = *found;
+    const auto& bias = fit.bias;
+    const Fit* direct = continuum_fit(run.fits);
     moduli.push_back({name_of(run), modulus, pair_N_per_m(fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, 1),
                       bias ? known_bias(*bias) : "–",
                       bias ? number(in_N_per_m(bias->Eh_corrected_eV_per_A2), "{:.1f}") : "–",
@@ -111,7 +113,7 @@ std::string headline_tables(const Result& result) {
   };
   std::string skipped;
   for (const Run& run : result.runs)
-    if (!run.fit)
+    if (run.fits.empty())
       skipped += "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
   return "<h2>E·h and pretension (N/m)</h2>\n" + html::table(header("E·h"), moduli) +
          html::table(header("pretension"), pretensions) + skipped +
@@ -157,7 +159,7 @@ std::string regimes(const Comparison& c, double tolerance) {
   return text.empty() ? "One regime throughout." : text;
 }
 
-std::string explanation(const Result& result, const std::string& load) {
+std::string explanation(const Result& result, LoadKind load) {
   for (const Explanation& e : result.explanations) {
     if (e.load != load) continue;
     std::vector<std::string> header = {"depth / a"};
@@ -177,8 +179,8 @@ std::string comparisons(const Result& result) {
   if (result.comparisons.empty()) return {};
   std::string text = "<h2>Where continuum and atoms part</h2>\n";
   for (const Comparison& c : result.comparisons) {
-    text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", html::escaped(c.load),
-                        regimes(c, result.resolved.regime_tolerance));
+    text +=
+        fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c, result.resolved.regime_tolerance));
     Rows rows;
     for (std::size_t i = 0; i < c.depth_A.size(); ++i)
       rows.push_back({number(c.depth_A[i], "{:.3f}"), number(c.depth_relative[i], "{:.4f}"),
@@ -202,8 +204,9 @@ std::string fits(const Result& result) {
   Rows rows;
   std::string warnings;
   for (const Run& run : result.runs) {
-    if (!run.fit) continue;
-    const Fit& fit = *run.fit;
+    const Fit* found = closed_form_fit(run.fits);
+    if (!found) continue;
+    const Fit& fit = *found;
     rows.push_back({name_of(run), interval_N_per_m(fit.Eh_interval_eV_per_A2, 1),
                     number(in_N_per_m(fit.Eh_bootstrap_eV_per_A2), "{:.2f}"),
                     interval_N_per_m(fit.pretension_interval_eV_per_A2, 3),
@@ -225,8 +228,8 @@ std::string fits(const Result& result) {
 
 /// What the softness of a sphere's contact does to its curve.
 std::string contact(const Run& run) {
-  if (!run.contact) return {};
-  const ContactSensitivity& c = *run.contact;
+  if (!run.is_atomistic() || !run.atoms().contact) return {};
+  const ContactSensitivity& c = *run.atoms().contact;
   return fmt::format(
       "<p>{}: atoms are up to {:.3f} Å inside the sphere. A contact four times stiffer changes the last depth's force "
       "by "
@@ -244,13 +247,14 @@ std::string quality(const Result& result) {
       std::vector<std::string> row = {number(run.depth_A[i], "{:.3f}"), number(run.force_eV_per_A[i], "{:.5f}"),
                                       number(run.energy_eV[i], "{:.4f}"), run.converged[i] ? "yes" : "no"};
       if (atoms) {
+        const AtomsPart& part = run.atoms();
         const std::vector<std::string> more = {
-            number(run.longest_bond_A[i], "{:.4f}"),     number(run.max_force_eV_per_A[i], "{:.1e}"),
-            number(run.balance_relative[i], "{:.1e}"),   number(run.force_error_relative[i], "{:.1e}"),
-            fmt::format("{}", run.force_evaluations[i]), fmt::format("{}", run.factorisations[i])};
+            number(run.longest_bond_A[i], "{:.4f}"),      number(part.max_force_eV_per_A[i], "{:.1e}"),
+            number(part.balance_relative[i], "{:.1e}"),   number(part.force_error_relative[i], "{:.1e}"),
+            fmt::format("{}", part.force_evaluations[i]), fmt::format("{}", part.factorisations[i])};
         row.insert(row.end(), more.begin(), more.end());
       } else {
-        row.push_back(fmt::format("{}", run.newton_iterations[i]));
+        row.push_back(fmt::format("{}", run.continuum().newton_iterations[i]));
       }
       rows.push_back(std::move(row));
     }
@@ -286,10 +290,10 @@ std::string provenance(const Result& result) {
   text += "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
   text += "<h2>How to make this again</h2>\n<pre>" + html::escaped(p.command_line) +
           "\nvalidate report run.h5    # this page, without computing</pre>\n";
-  text += "<details><summary>the resolved case</summary>\n<pre>" +
-          html::escaped(
-              case_document(result.resolved).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
-          "</pre></details>\n";
+  text +=
+      "<details><summary>the resolved case</summary>\n<pre>" +
+      html::escaped(document(result.resolved).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
+      "</pre></details>\n";
   return text;
 }
 

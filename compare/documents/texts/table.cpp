@@ -67,8 +67,8 @@ std::string with_error(double value, double error, int digits) {
 }
 
 std::string name_of(const Run& run) {
-  const std::string name = fmt::format("{} {}", to_string(run.model), run.load);
-  return run.constants == Constants::none ? name : fmt::format("{} {}", name, to_string(run.constants));
+  const std::string name = fmt::format("{} {}", to_string(run.model), to_string(run.load));
+  return run.constants ? fmt::format("{} {}", name, to_string(*run.constants)) : name;
 }
 
 // The deepest point reached, artefact zone included.
@@ -81,8 +81,9 @@ std::string last_point(const Run& run) {
 
 Row row_of(const Run& run, const std::string& card) {
   const std::string ended(to_string(run.ended));
-  if (!run.fit) return {name_of(run), "-", "-", card, "-", "-", "-", "-", last_point(run), ended};
-  const Fit& fit = *run.fit;
+  const Fit* found = closed_form_fit(run.fits);
+  if (!found) return {name_of(run), "-", "-", card, "-", "-", "-", "-", last_point(run), ended};
+  const Fit& fit = *found;
   return {name_of(run),
           with_error(in_N_per_m(fit.Eh_eV_per_A2), in_N_per_m(fit.Eh_stderr_eV_per_A2), 1),
           fixed(fit.Eh_eV_per_A2, 2),
@@ -97,7 +98,11 @@ Row row_of(const Run& run, const std::string& card) {
 
 // What the fit is known to get wrong, and what is left when that is taken out.
 void add_corrections(std::string& text, const std::vector<Run>& runs) {
-  if (std::ranges::none_of(runs, [](const Run& run) { return run.fit && run.fit->bias; })) return;
+  const auto biased = [](const Run& run) {
+    const Fit* fit = closed_form_fit(run.fits);
+    return fit && fit->bias ? fit : nullptr;
+  };
+  if (std::ranges::none_of(runs, biased)) return;
   const auto line = [&](const std::array<std::string, 6>& cell) {
     const std::string row =
         fmt::format("{:<25}{:>16}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5]);
@@ -106,9 +111,9 @@ void add_corrections(std::string& text, const std::vector<Run>& runs) {
   line({"Bias known, removed", "Eq. 16 reads", "corrected", "membrane itself", "corrected", "membrane itself"});
   line({"", "E·h of membrane", "E·h (N/m)", "E·h (N/m)", "pretension (N/m)", "pretension (N/m)"});
   for (const Run& run : runs) {
-    if (!run.fit || !run.fit->bias) continue;
-    const FitBias& bias = *run.fit->bias;
-    const auto& direct = run.fit->direct;
+    if (!biased(run)) continue;
+    const FitBias& bias = *biased(run)->bias;
+    const Fit* direct = continuum_fit(run.fits);
     line({name_of(run), fmt::format("{:+.1f} %", 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1)),
           fixed(in_N_per_m(bias.Eh_corrected_eV_per_A2), 1),
           direct ? with_error(in_N_per_m(direct->Eh_eV_per_A2), in_N_per_m(direct->Eh_stderr_eV_per_A2), 1) : "",
@@ -121,13 +126,15 @@ void add_corrections(std::string& text, const std::vector<Run>& runs) {
 }
 
 void add_notes(std::string& text, const Result& result, const Run& run) {
-  const auto artefacts = std::ranges::count(run.artefact, true);
+  const Fit* fit = closed_form_fit(run.fits);
+  const auto artefacts = run.is_atomistic() ? std::ranges::count(run.atoms().artefact, true) : 0;
   if (artefacts > 0) {
     sentence(text, "{}: {} {} with a bond ≥ {:.2f} Å (artefact zone, from {:.4g} Å on) left out of fit and verdict",
              name_of(run), artefacts, artefacts == 1 ? "point" : "points", artefact_bond_of(result),
              run.depth_A[*first_artefact(run)]);
   }
-  if (const auto& c = run.contact) {
+  if (run.is_atomistic() && run.atoms().contact) {
+    const ContactSensitivity* c = &*run.atoms().contact;
     sentence(
         text,
         "{}: atoms up to {:.3f} Å inside the sphere; a contact four times stiffer changes the last force by {:.2f} % "
@@ -135,23 +142,21 @@ void add_notes(std::string& text, const Result& result, const Run& run) {
         name_of(run), c->deepest_penetration_A, 100 * c->force_change_relative,
         100 * c->force_change_at_equal_depth_relative);
   }
-  if (!run.fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
+  if (!fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
   const bool law_left = run.constants == Constants::calibrated && run.ended != Ended::not_converged;  // what laws do
   if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
-  if (!run.fit || !(run.constants == Constants::none || run.constants == Constants::given))
-    return;  // bias: shown above
-  for (const std::string& warning : run.fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
+  if (!fit || (run.constants && run.constants != Constants::given)) return;  // bias: shown above
+  for (const std::string& warning : fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
 }
 
 // The judged point that differs most, in words.
 std::string worst_point(const Agreement& agreement) {
-  if (agreement.ratio.empty()) return "";
-  const auto difference = [](double ratio) { return std::abs(ratio - 1); };
-  const auto worst = std::ranges::max_element(agreement.ratio, {}, difference) - agreement.ratio.begin();
-  return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})", agreement.depth_A[static_cast<std::size_t>(worst)],
-                     agreement.against, agreement.ratio[static_cast<std::size_t>(worst)]);
+  if (agreement.ratios.empty()) return "";
+  const auto difference = [](const JudgedRatio& judged) { return std::abs(judged.ratio - 1); };
+  const JudgedRatio& worst = *std::ranges::max_element(agreement.ratios, {}, difference);
+  return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})", worst.depth_A, to_string(agreement.against), worst.ratio);
 }
 
 // Where the atoms follow the membrane, and why not elsewhere.
@@ -167,18 +172,18 @@ void add_regimes(std::string& text, const Result& result) {
     if (std::isfinite(c.predicted_artefact_from_A))
       more += fmt::format(" (predicted by the sheet's strains: {:.3g} Å)", c.predicted_artefact_from_A);
     if (c.regime.back() == Regime::bending) {
-      sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", c.load,
+      sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", to_string(c.load),
                1 + result.resolved.regime_tolerance, more);
     } else {
-      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}", c.load,
-               bending, softening, 100 * result.resolved.regime_tolerance, more);
+      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}",
+               to_string(c.load), bending, softening, 100 * result.resolved.regime_tolerance, more);
     }
   }
   if (!result.comparisons.empty()) text += '\n';
 }
 
 const char* constants_of(const Agreement& agreement) {
-  return agreement.against == "sheet" ? "the potential's own law, with bending" : "card constants";
+  return agreement.against == Model::sheet ? "the potential's own law, with bending" : "card constants";
 }
 
 void add_verdict(std::string& text, const Result& result, bool colour) {
@@ -188,15 +193,17 @@ void add_verdict(std::string& text, const Result& result, bool colour) {
     return;
   }
   const Agreement& agreement = *result.agreement;
-  if (colour) text += agreement.passed ? "\033[1;32m" : "\033[1;31m";
-  text += agreement.passed ? "AGREEMENT" : "DISAGREEMENT";
+  const bool agrees = agreement.outcome == Outcome::agree;
+  if (colour) text += agrees ? "\033[1;32m" : "\033[1;31m";
+  text += agrees ? "AGREEMENT" : "DISAGREEMENT";
   if (colour) text += "\033[0m";
   text += '\n';
   sentence(text,
            "Over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from the {}'s ({}) "
            "by at most {:.2f} %{}; the tolerance is {:.2f} %.",
-           agreement.window[0], agreement.window[1], agreement.load, agreement.against, constants_of(agreement),
-           100 * agreement.max_relative_difference, worst_point(agreement), 100 * agreement.tolerance);
+           agreement.window[0], agreement.window[1], to_string(agreement.load), to_string(agreement.against),
+           constants_of(agreement), 100 * agreement.max_relative_difference, worst_point(agreement),
+           100 * agreement.tolerance);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compare/base/errors.hpp"
+
 namespace validate::verify {
 namespace {
 
@@ -63,22 +65,19 @@ std::string table_csv(const std::vector<Row>& rows) {
   return text;
 }
 
-nlohmann::json table_json(const std::vector<Row>& rows) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const Row& row : rows)
-    list.push_back({{"group", row.group},
-                    {"case", row.name},
-                    {"quantity", row.quantity},
-                    {"computed", row.computed},
-                    {"relation", relation_text(row.relation)},
-                    {"reference", row.reference.value},
-                    {"origin", row.reference.origin},
-                    {"relative_error", relative_error(row)},
-                    {"tolerance", row.tolerance},
-                    {"pass", passes(row)},
-                    {"note", row.note}});
-  const auto failed = std::ranges::count_if(rows, [](const Row& row) { return !passes(row); });
-  return {{"passed", rows.size() - failed}, {"failed", failed}, {"rows", list}};
+Result verification_result(const std::vector<Row>& rows) {
+  Result result;
+  result.command = Command::verify;
+  for (const Row& row : rows) {
+    result.rows.push_back({row.group, row.name, row.quantity, row.computed, relation_text(row.relation),
+                           row.reference.value, row.reference.origin, relative_error(row), row.tolerance, passes(row),
+                           row.note});
+    (passes(row) ? result.passed : result.failed) += 1;
+  }
+  if (result.failed == 0) return result;
+  result.exit_code = static_cast<int>(ExitCode::disagreement);
+  result.exit_reason = fmt::format("{} of {} rows fail", result.failed, rows.size());
+  return result;
 }
 
 }  // namespace validate::verify

@@ -1,10 +1,10 @@
-// The rows as text, CSV and JSON.
+// The rows of a verification as text, CSV and result.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "compare/results/result.hpp"
 #include "compare/verify/row.hpp"
 
 namespace validate::verify {
@@ -16,7 +16,7 @@ std::string table_text(const std::vector<Row>& rows);
 /// quotes.
 std::string table_csv(const std::vector<Row>& rows);
 
-/// {passed, failed, rows: [{group, case, …}]}; numbers that are not finite are null.
-nlohmann::json table_json(const std::vector<Row>& rows);
+/// The rows in the result tree, with the exit code that they mean.
+Result verification_result(const std::vector<Row>& rows);
 
 }  // namespace validate::verify

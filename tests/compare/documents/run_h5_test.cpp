@@ -1,5 +1,5 @@
 // Reads run.h5 back with the plain C library, as any other program would.
-#include "compare/documents/run_h5.hpp"
+#include "compare/documents/bytes/run_h5.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

@@ -1,4 +1,4 @@
-#include "compare/results/keys.hpp"
+#include "compare/base/keys.hpp"
 
 #include <gtest/gtest.h>
 

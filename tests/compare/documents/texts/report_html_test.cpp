@@ -8,9 +8,9 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/documents/bytes/html.hpp"
-#include "compare/documents/run_h5.hpp"
-#include "compare/documents/run_h5_read.hpp"
-#include "compare/documents/texts/summary_json.hpp"
+#include "compare/documents/bytes/run_h5.hpp"
+#include "compare/documents/bytes/run_h5_read.hpp"
+#include "compare/documents/texts/json.hpp"
 #include "tests/compare/results/sample_result.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "compare/documents/texts/summary_json.hpp"
+#include "compare/documents/texts/json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,14 @@
+// run.h5: the result tree as groups, attributes and data sets, with units and meanings.
+#pragma once
+
+#include <filesystem>
+
+#include "compare/results/result.hpp"
+
+namespace validate {
+
+/// Writes the result, whole or not at all. A struct is a group, a list of them a group of groups 0, 1, …; values are
+/// attributes, columns data sets. Throws Error (file failed).
+void write_run_h5(const Result& result, const std::filesystem::path& file);
+
+}  // namespace validate

@@ -1,0 +1,23 @@
+// The JSON schema of each document, made from the same describe() as the document itself.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+
+#include "compare/results/result.hpp"
+
+namespace validate {
+
+/// Draft 7, for the documents of one command.
+nlohmann::ordered_json schema_of(Command command);
+
+/// A schema by the name of its file in inputs/ (NAME.schema.json): summary, fit, card, figure, verify, batch.
+struct NamedSchema {
+  std::string_view name;
+  Command command;
+};
+inline constexpr NamedSchema named_schemas[] = {{"summary", Command::indentation}, {"fit", Command::fit},
+                                                {"card", Command::potential},      {"figure", Command::figure},
+                                                {"verify", Command::verify},       {"batch", Command::batch}};
+
+}  // namespace validate

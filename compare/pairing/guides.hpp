@@ -1,0 +1,14 @@
+// What a continuum expects, for the atoms to start from.
+#pragma once
+
+#include <vector>
+
+#include "atomistic/problem.hpp"
+#include "membrane/meridian/sheet.hpp"
+
+namespace validate {
+
+/// The shapes of a continuum at its levels, as far as it goes.
+std::vector<atomistic::Guide> guides_from(const membrane::axisymmetric::SheetProblem& problem);
+
+}  // namespace validate

@@ -1,0 +1,80 @@
+// Numbers beside their references: those of the paper's figures, and the rows of a verification.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/base/describe.hpp"
+#include "compare/results/known.hpp"
+
+namespace validate {
+
+/// A published number, or one computed with codes written separately, beside ours.
+struct FigureNumber {
+  std::string what, unit, source;
+  double reference = 0, ours = 0;
+  double tolerance = 0;  ///< relative; 0: a difference that is the point of the figure
+  std::string comment;   ///< where they differ, why
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, FigureNumber>
+void describe(Self& number, Visitor&& visit) {
+  visit(Field{"what", unit::none, "quantity and case"}, number.what);
+  visit(Field{"unit", unit::none, "of both numbers"}, number.unit);
+  visit(Field{"ours", unit::none, "computed here"}, number.ours);
+  visit(Field{"reference", unit::none, "published, or computed with a code written separately"}, number.reference);
+  visit(Field{"tolerance", unit::none, "relative; 0: none is asked"}, number.tolerance);
+  visit(Field{"source", unit::none, "of the reference"}, number.source);
+  visit(Field{"comment", unit::none, "where they differ, why"}, number.comment);
+}
+
+/// Whether ours is within the tolerance; true where none is asked.
+bool passes(const FigureNumber& number);
+
+/// One of the paper's figures, made anew.
+struct FigureResult {
+  int number = 0;
+  std::string title;
+  std::vector<FigureNumber> numbers;
+  std::vector<std::string> remarks;  ///< what the numbers alone do not say
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, FigureResult>
+void describe(Self& figure, Visitor&& visit) {
+  visit(Field{"number", unit::none, "of the figure in the paper"}, figure.number);
+  visit(Field{"title", unit::none, "what it shows"}, figure.title);
+  visit(Field{"numbers", unit::none, "ours beside the reference"}, figure.numbers);
+  visit(Field{"remarks", unit::none, "what the numbers alone do not say"}, figure.remarks);
+}
+
+/// One line of `validate verify`.
+struct VerificationRow {
+  std::string group, name, quantity;
+  double computed = not_known;
+  std::string relation;  ///< =, <= or >=
+  double reference = not_known;
+  std::string origin;
+  double relative_error = not_known, tolerance = not_known;
+  bool pass = false;
+  std::string note;
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, VerificationRow>
+void describe(Self& row, Visitor&& visit) {
+  visit(Field{"group", unit::none, "group of the row"}, row.group);
+  visit(Field{"case", unit::none, "what is computed"}, row.name);
+  visit(Field{"quantity", unit::none, "of it"}, row.quantity);
+  visit(Field{"computed", unit::none, "ours"}, row.computed);
+  visit(Field{"relation", unit::none, "what ours owes to the reference: =, <= or >="}, row.relation);
+  visit(Field{"reference", unit::none, "the reference"}, row.reference);
+  visit(Field{"origin", unit::none, "where the reference comes from"}, row.origin);
+  visit(Field{"relative_error", unit::none, "absolute where the reference is 0"}, row.relative_error);
+  visit(Field{"tolerance", unit::none, "largest error that passes"}, row.tolerance);
+  visit(Field{"pass", unit::none, "within it"}, row.pass);
+  visit(Field{"note", unit::none, "mesh, order of convergence, what the tolerance comes from"}, row.note);
+}
+
+}  // namespace validate

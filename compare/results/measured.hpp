@@ -1,0 +1,57 @@
+// A measured curve and what was found in it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/base/describe.hpp"
+#include "compare/base/words.hpp"
+#include "compare/results/fit.hpp"
+
+namespace validate {
+
+/// Of the tip that pressed.
+enum class TipKind { point, disc, sphere };
+constexpr auto words(TipKind) {
+  return std::array{Word{TipKind::point, "point"}, Word{TipKind::disc, "disc"}, Word{TipKind::sphere, "sphere"}};
+}
+
+struct FittedCurve {
+  std::string file, model;  ///< model: the closed form that was asked for
+  double radius_A = not_known, nu = not_known;
+  TipKind tip = TipKind::point;
+  double tip_radius_A = not_known;
+  double bending_modulus_eV = 0;  ///< as given; 0: none
+  std::string depth_column, force_column;
+  int points_read = 0;
+  double baseline_eV_per_A = 0;                 ///< taken off
+  std::vector<double> depth_A, force_eV_per_A;  ///< the points used, zeros taken off
+  std::vector<Fit> fits;                        ///< of the closed form, then of the continuum itself
+  std::string continuum;                        ///< what that is, in words
+  std::string direct_skipped;                   ///< why it was not fitted
+  WindowScan scan;
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, FittedCurve>
+void describe(Self& curve, Visitor&& visit) {
+  visit(Field{"file", unit::none, "the file that was read"}, curve.file);
+  visit(Field{"model", unit::none, "closed form that was fitted"}, curve.model);
+  visit(Field{"radius", unit::length, "of the suspended sheet"}, curve.radius_A);
+  visit(Field{"nu", unit::none, "Poisson's ratio"}, curve.nu);
+  visit(Field{"tip", unit::none, "shape of the tip"}, curve.tip);
+  visit(Field{"tip_radius", unit::length, "radius of the tip"}, curve.tip_radius_A);
+  visit(Field{"bending_modulus", unit::energy, "as given; 0: none"}, curve.bending_modulus_eV);
+  visit(Field{"depth_column", unit::none, "column of the file"}, curve.depth_column);
+  visit(Field{"force_column", unit::none, "column of the file"}, curve.force_column);
+  visit(Field{"points_read", unit::none, "points in the file"}, curve.points_read);
+  visit(Field{"baseline", unit::force, "taken off the forces"}, curve.baseline_eV_per_A);
+  visit(Column{"depth", unit::length, "points used, zeros taken off"}, curve.depth_A);
+  visit(Column{"force", unit::force, "points used, zeros taken off"}, curve.force_eV_per_A);
+  visit(Field{"fits", unit::none, "models fitted to this curve"}, curve.fits);
+  visit(Field{"continuum", unit::none, "the sheet that is fitted itself"}, curve.continuum);
+  visit(Field{"direct_skipped", unit::none, "why the sheet itself was not fitted"}.where_known(), curve.direct_skipped);
+  visit(Field{"window_scan", unit::none, "the closed form's fit against the depth up to which it goes"}, curve.scan);
+}
+
+}  // namespace validate

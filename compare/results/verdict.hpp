@@ -1,0 +1,147 @@
+// What is said of two models' curves: the verdict, the comparison depth by depth, and what a plain membrane lacks.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "compare/base/describe.hpp"
+#include "compare/base/words.hpp"
+#include "compare/results/known.hpp"
+#include "compare/results/run.hpp"
+
+namespace validate {
+
+/// Whether the atoms are shown to agree with the continuum within the tolerance.
+enum class Outcome { agree, disagree };
+constexpr auto words(Outcome) { return std::array{Word{Outcome::agree, "agree"}, Word{Outcome::disagree, "disagree"}}; }
+
+/// One depth judged.
+struct JudgedRatio {
+  double depth_A = not_known, ratio = not_known;
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, JudgedRatio>
+void describe(Self& judged, Visitor&& visit) {
+  visit(Field{"depth", unit::length, "atoms' depth of record"}, judged.depth_A);
+  visit(Field{"ratio", unit::none, "F_atoms / F_continuum at that depth"}, judged.ratio);
+}
+
+struct Agreement {
+  LoadKind load = LoadKind::disc;
+  Model against = Model::sheet;
+  std::array<double, 2> window{};  ///< depth / effective radius
+  double max_relative_difference = 0, tolerance = 0;
+  Outcome outcome = Outcome::disagree;
+  std::vector<JudgedRatio> ratios;
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Agreement>
+void describe(Self& agreement, Visitor&& visit) {
+  visit(Field{"outcome", unit::none, "agree: within the tolerance at every depth judged"}, agreement.outcome);
+  visit(Field{"load", unit::none, "load judged"}, agreement.load);
+  visit(Field{"against", unit::none, "model of the continuum that the atoms are compared with"}, agreement.against);
+  visit(Field{"window", unit::none, "range judged, depth / effective radius"}, agreement.window);
+  visit(Field{"max_relative_difference", unit::none, "largest |F_atoms / F_continuum − 1|"},
+        agreement.max_relative_difference);
+  visit(Field{"tolerance", unit::none, "largest difference that passes"}, agreement.tolerance);
+  visit(Field{"ratios", unit::none, "one entry per depth judged"}, agreement.ratios);
+}
+
+/// Where a sheet of atoms is, beside the like-for-like membrane at the same depth.
+enum class Regime { bending, membrane, softening, artefact };
+constexpr auto words(Regime) {
+  return std::array{Word{Regime::bending, "bending"}, Word{Regime::membrane, "membrane"},
+                    Word{Regime::softening, "softening"}, Word{Regime::artefact, "artefact"}};
+}
+
+/// One load's atoms against the like-for-like membrane, at every depth that both have. Ratios are atoms / membrane:
+/// force and energy at equal depth, depth at equal force.
+struct Comparison {
+  LoadKind load = LoadKind::disc;
+  std::vector<double> depth_A, depth_relative, force_ratio, depth_ratio, energy_ratio;
+  std::vector<double> calibrated_membrane_ratio, sheet_ratio;  ///< force over that of the calibrated continua
+  std::vector<double> sheet_depth_ratio;                       ///< depth over the calibrated sheet's at equal force
+  std::vector<Regime> regime;
+
+  /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 −
+  /// tolerance, longest bond in the artefact zone.
+  double bending_to_A = not_known, softening_from_A = not_known, artefact_from_A = not_known;
+  double predicted_artefact_from_A = not_known;  ///< by the calibrated sheet's strains
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Comparison>
+void describe(Self& comparison, Visitor&& visit) {
+  visit(Field{"load", unit::none, "load of both curves"}, comparison.load);
+  visit(Field{"bending_to", unit::length, "up to this depth the force ratio is above 1 + tolerance"},
+        comparison.bending_to_A);
+  visit(Field{"softening_from", unit::length, "from this depth the force ratio is below 1 − tolerance"},
+        comparison.softening_from_A);
+  visit(Field{"artefact_from", unit::length, "first depth in the potential's artefact zone"},
+        comparison.artefact_from_A);
+  visit(Field{"predicted_artefact_from", unit::length, "where the calibrated sheet's strains put its beginning"},
+        comparison.predicted_artefact_from_A);
+  visit(Column{"depth", unit::length, "atoms' depth of record"}, comparison.depth_A);
+  visit(Column{"depth_relative", unit::none, "the same over the effective radius"}, comparison.depth_relative);
+  visit(Column{"force_ratio", unit::none, "F_atoms / F_membrane at this depth"}, comparison.force_ratio);
+  visit(Column{"depth_ratio", unit::none, "d_atoms / d_membrane at the atoms' force"}, comparison.depth_ratio);
+  visit(Column{"energy_ratio", unit::none, "W_atoms / W_membrane at this depth"}, comparison.energy_ratio);
+  visit(Column{"calibrated_membrane_ratio", unit::none, "F_atoms / F_calibrated membrane at this depth"},
+        comparison.calibrated_membrane_ratio);
+  visit(Column{"sheet_ratio", unit::none, "F_atoms / F_calibrated sheet with bending at this depth"},
+        comparison.sheet_ratio);
+  visit(Column{"sheet_depth_ratio", unit::none, "d_atoms / d_calibrated sheet at the atoms' force"},
+        comparison.sheet_depth_ratio);
+  visit(Column{"regime", unit::none, "bending, membrane, softening or artefact"}, comparison.regime);
+}
+
+/// What makes up the difference between the atoms' force and that of a plain membrane (St Venant–Kirchhoff, nominal
+/// radii) at the same depth: shares of that membrane's force that add up to the whole.
+struct Explanation {
+  LoadKind load = LoadKind::disc;
+  std::vector<double> depth_A, depth_relative;
+  std::vector<double> plain_force_eV_per_A;  ///< of the membrane that is explained away
+  std::vector<double> geometry;              ///< radii of clamp and tip as the atoms have them
+  std::vector<double> bending;
+  std::vector<double> large_strain;  ///< the potential's own response for St Venant–Kirchhoff's
+  std::vector<double> anisotropy;    ///< its sixfold part; not known for a sphere, and part of the remainder there
+  std::vector<double> remainder;     ///< what no continuum here has
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Explanation>
+void describe(Self& explanation, Visitor&& visit) {
+  visit(Field{"load", unit::none, "load explained"}, explanation.load);
+  visit(Column{"depth", unit::length, "depth of record"}, explanation.depth_A);
+  visit(Column{"depth_relative", unit::none, "the same over the effective radius"}, explanation.depth_relative);
+  visit(Column{"plain_force", unit::force, "of the St Venant-Kirchhoff membrane with nominal radii"},
+        explanation.plain_force_eV_per_A);
+  visit(Column{"geometry", unit::none, "radii of clamp and tip as the atoms have them"}, explanation.geometry);
+  visit(Column{"bending", unit::none, "resistance to bending"}, explanation.bending);
+  visit(Column{"large_strain", unit::none, "the potential's own response at large strain"}, explanation.large_strain);
+  visit(Column{"anisotropy", unit::none, "the lattice's directions"}, explanation.anisotropy);
+  visit(Column{"remainder", unit::none, "what is left to the atoms' force"}, explanation.remainder);
+}
+
+/// The way back of an atomistic curve.
+struct Unloading {
+  LoadKind load = LoadKind::disc;
+  double hysteresis_relative = not_known;  ///< work lost on the way there and back over the work put in
+  std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A;
+};
+
+template <class Self, class Visitor>
+requires SameStruct<Self, Unloading>
+void describe(Self& unloading, Visitor&& visit) {
+  visit(Field{"load", unit::none, "name of the load"}, unloading.load);
+  visit(Field{"hysteresis_relative", unit::none, "work lost there and back, over the work put in"},
+        unloading.hysteresis_relative);
+  visit(Column{"depth", unit::length, "depth of record on the way back"}, unloading.depth_A);
+  visit(Column{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"},
+        unloading.conjugate_depth_A);
+  visit(Column{"force", unit::force, "total force on the full sheet"}, unloading.force_eV_per_A);
+}
+
+}  // namespace validate

@@ -1,0 +1,56 @@
+#include "compare/study/atoms.hpp"
+
+#include <fmt/core.h>
+
+#include "compare/process/atoms_curves.hpp"
+#include "compare/study/cross_section.hpp"
+#include "compare/study/curves.hpp"
+
+namespace validate {
+namespace {
+
+void add(Timing& timing, const atomistic::Report& report) {
+  timing.force_calls = timing.force_calls.value_or(0) + report.force_calls;
+  timing.force_s = timing.force_s.value_or(0) + report.force_s;
+  timing.setup_s = timing.setup_s.value_or(0) + report.setup_s;
+  timing.factor_s = timing.factor_s.value_or(0) + report.factor_s;
+  timing.solve_s = timing.solve_s.value_or(0) + report.solve_s;
+}
+
+/// The run of a curve is rebuilt from its step files: what a kill or an error leaves is never more than they hold.
+void collect(AtomisticExperiment& e, const AtomsCurve& curve, const atomistic::Sheet& sheet, StudyOutcome& outcome) {
+  for (const atomistic::Step& step : curve.steps)
+    if (!step.unloading) append(e.run, step, e.problem.potential.artefact_bond_A);
+  if (e.problem.unload) outcome.result.unloading.push_back(unloading_of(e.run, curve.steps));
+  if (e.run.load == LoadKind::pressure && !curve.steps.empty())
+    e.run.cross_section = cross_section(sheet, curve.steps.back().positions);
+  if (!curve.lammps.empty()) outcome.result.provenance.lammps = curve.lammps;
+  if (curve.failure.empty() && curve.report) {
+    close(e.run, *curve.report);
+    add(outcome.result.timing, *curve.report);
+    return;
+  }
+  e.run.ended.reset();
+  e.run.ended_reason = curve.failure;
+  if (!outcome.failure.empty()) return;
+  outcome.failure_code = curve.failure_code;
+  outcome.failure = curve.failure;
+}
+
+}  // namespace
+
+void compute_atoms(std::vector<PairedLoad>& loads, const atomistic::Sheet& sheet, const StudyOptions& options,
+                   StudyOutcome& outcome, Progress& progress) {
+  const double start = seconds();
+  std::vector<AtomsPath> paths;
+  for (const PairedLoad& load : loads) paths.push_back({std::string(to_string(load.load)), load.atoms->problem});
+  const int ranks =
+      options.ranks > 0 ? options.ranks : useful_ranks(options.launch, sheet.atoms(), static_cast<int>(paths.size()));
+  progress.say(fmt::format("{} atoms, {} curve(s), {} rank(s) each", sheet.atoms(), paths.size(), ranks));
+  const std::vector<AtomsCurve> curves =
+      compute_curves(options.launch, paths, ranks, options.folder / "work", progress);
+  for (std::size_t i = 0; i < loads.size(); ++i) collect(*loads[i].atoms, curves[i], sheet, outcome);
+  outcome.result.timing.atomistic_s = seconds() - start;
+}
+
+}  // namespace validate
