@@ -28,9 +28,10 @@ TEST(GnuplotWriter, OneScriptForBothPicturesWithTheDataOnce) {
   one.curves = {{.name = "atoms", .x = {1, 2}, .y = {3, NAN}, .colour = Colour::blue, .points = Points{}}};
   const std::string text = script({.panels = {one}, .width = 500, .height = 300});
   EXPECT_EQ(text.find("set encoding utf8\n$p0c0 << EOD\n1 3\n2 NaN\nEOD\nset terminal svg size 500,300"), 0u) << text;
-  expect(text, {"set output '/run/it''s.svg'", "set terminal pngcairo size 1000,600", "set output '/run/a.png'",
-                "set title 'κ''s panel' font ',14'", "set xlabel 'depth (Å)'", "set ylabel 'ratio'", "set xrange [0:*]",
-                "set yrange [*:*]", "set minussign"});
+  expect(text,
+         {"set output '/run/it''s.svg'", "set terminal pngcairo size 1000,600",
+          "map_border = 'border retrace'\nset output '/run/a.png'", "set title 'κ''s panel' font ',14'",
+          "set xlabel 'depth (Å)'", "set ylabel 'ratio'", "set xrange [0:*]", "set yrange [*:*]", "set minussign"});
   EXPECT_EQ(text.find("EOD\n1 3", 40), std::string::npos);
   EXPECT_EQ(text.find("multiplot"), std::string::npos);
   EXPECT_EQ(text, script({.panels = {one}, .width = 500, .height = 300}));
