@@ -14,6 +14,7 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/units.hpp"
 #include "compare/documents/texts/explanation_text.hpp"
+#include "compare/documents/texts/pressed_table.hpp"
 
 namespace validate {
 
@@ -162,7 +163,7 @@ std::string worst_point(const Agreement& agreement) {
 // Where the atoms follow the membrane, and why not elsewhere.
 void add_regimes(std::string& text, const Result& result) {
   for (const Comparison& c : result.comparisons) {
-    if (c.depth_A.empty()) continue;
+    if (c.depth_A.empty() || c.load == LoadKind::pressure) continue;
     const double largest = c.depth_A.back();
     const double bending = std::isfinite(c.bending_to_A) ? c.bending_to_A : 0;
     const double softening = std::isfinite(c.softening_from_A) ? c.softening_from_A : largest;
@@ -206,6 +207,27 @@ void add_verdict(std::string& text, const Result& result, bool colour) {
            100 * agreement.tolerance);
 }
 
+void add_fits(std::string& text, const Result& result, const std::vector<Run>& runs) {
+  add_row(text, headings);
+  add_row(text, units);
+  const std::string card = result.card ? fixed(in_N_per_m(result.card->Eh_eV_per_A2), 1) : "-";
+  for (const Run& run : runs) add_row(text, row_of(run, card));
+  text += '\n';
+  add_corrections(text, runs);
+  const std::size_t before_notes = text.size();
+  for (const Run& run : runs) add_notes(text, result, run);
+  if (text.size() > before_notes) text += '\n';
+}
+
+/// Paths that did not come to their end, of sheets that have no row elsewhere.
+std::string ended_early(const Result& result) {
+  std::string text;
+  for (const Run& run : result.runs)
+    if (run.ended != Ended::depth_max)
+      sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
+  return text.empty() ? text : "\n" + text;
+}
+
 }  // namespace
 
 std::string table(const Result& result, bool colour) {
@@ -219,15 +241,14 @@ std::string table(const Result& result, bool colour) {
              sheet->effective_radius_A, sheet->atoms);
   }
   if (!text.empty()) text += '\n';
-  add_row(text, headings);
-  add_row(text, units);
-  const std::string card = result.card ? fixed(in_N_per_m(result.card->Eh_eV_per_A2), 1) : "-";
-  for (const Run& run : result.runs) add_row(text, row_of(run, card));
-  text += '\n';
-  add_corrections(text, result.runs);
-  const std::size_t before_notes = text.size();
-  for (const Run& run : result.runs) add_notes(text, result, run);
-  if (text.size() > before_notes) text += '\n';
+  const std::string pressed = pressed_table(result);
+  text += pressed;
+  std::vector<Run> indented;
+  std::ranges::copy_if(result.runs, std::back_inserter(indented),
+                       [](const Run& run) { return run.load != LoadKind::pressure; });
+  if (indented.empty()) return text + ended_early(result);
+  if (!pressed.empty()) text += '\n';
+  add_fits(text, result, indented);
   text += explanation_text(result);
   add_regimes(text, result);
   add_verdict(text, result, colour);
