@@ -42,7 +42,7 @@ std::vector<std::vector<TriangleStress>> fields(const membrane::Problem& problem
   const membrane::Mesh mesh = membrane::mesh_of(problem);
   std::vector<std::vector<TriangleStress>> all;
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
-    if (step.converged) all.push_back(stress_field(problem, mesh, thickness_A, step.displacements));
+    if (step.converged) all.push_back(stress_field(problem, mesh, thickness_A, step.on_triangles().displacements));
     return step.converged;
   });
   if (!report.converged) throw std::runtime_error("figure 3: " + report.reason);

@@ -42,12 +42,12 @@ Square solve_square(const membrane::Problem& problem, double thickness_A) {
   square.mesh = membrane::mesh_of(problem);
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
     if (!step.converged) return false;
-    square.field = stress_field(problem, square.mesh, thickness_A, step.displacements);
-    square.displacements_A = step.displacements;
+    square.field = stress_field(problem, square.mesh, thickness_A, step.on_triangles().displacements);
+    square.displacements_A = step.on_triangles().displacements;
     square.centre_depth_A = step.depth_A;
     square.volume_A3 = step.volume_A3;
     square.energy_eV = step.energy_eV;
-    square.pull_in_A = pull_in(square.mesh, step.displacements);
+    square.pull_in_A = pull_in(square.mesh, step.on_triangles().displacements);
     return true;
   });
   if (!report.converged) throw std::runtime_error("figure 4: " + report.reason);

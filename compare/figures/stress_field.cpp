@@ -8,9 +8,7 @@ namespace validate {
 
 std::vector<TriangleStress> stress_field(const membrane::Problem& problem, const membrane::Mesh& mesh,
                                          double thickness_A, const Eigen::VectorXd& displacements_A) {
-  membrane::Step step;
-  step.displacements = displacements_A;
-  const membrane::SheetFields fields = membrane::fields_of(problem, mesh, step);
+  const membrane::SheetFields fields = membrane::fields_of(problem, mesh, displacements_A);
   std::vector<TriangleStress> stresses(mesh.triangles.size());
   for (std::size_t t = 0; t < stresses.size(); ++t) {
     TriangleStress& at = stresses[t];

@@ -11,12 +11,10 @@
 #include "compare/fitting/curve.hpp"
 #include "compare/fitting/fit.hpp"
 #include "compare/fitting/models/list.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 
 namespace validate {
 namespace {
-
-namespace sheet = membrane::axisymmetric;
 
 constexpr double enclosing = 1.02;
 
@@ -29,20 +27,21 @@ std::vector<double> levels_around(const std::vector<double>& depth, int count) {
   return levels;
 }
 
-sheet::Load load_of(const MembraneTip& tip) {
-  if (!(tip.tip_A > 0)) return sheet::PointLoad{};
-  if (tip.sphere) return sheet::SphereLoad{tip.tip_A};
-  return sheet::DiscLoad{tip.tip_A};
+membrane::Load load_of(const MembraneTip& tip) {
+  if (!(tip.tip_A > 0)) return membrane::PointLoad{};
+  if (tip.sphere) return membrane::SphereLoad{tip.tip_A};
+  return membrane::DiscLoad{tip.tip_A};
 }
 
-sheet::SheetProblem problem_of(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
-                               int levels) {
-  sheet::SheetProblem problem;
-  problem.radius_A = tip.a_A;
+membrane::Problem problem_of(const MembraneTip& tip, double Eh, double pretension, const std::vector<double>& depth,
+                             int levels) {
+  membrane::Problem problem;
+  problem.discretisation = membrane::Meridian{};
+  problem.sheet = membrane::DiscSheet{tip.a_A};
   problem.law = tip.physics ? tip.physics->law(Eh) : membrane::StVenantKirchhoff{Eh, tip.nu};
-  problem.bending_modulus_eV = tip.physics ? tip.physics->bending_eV : 0;
-  problem.relaxed = !(problem.bending_modulus_eV > 0);
-  problem.pretension_eV_per_A2 = pretension;
+  problem.bending = membrane::clamped_all_round_if_any(tip.physics ? tip.physics->bending_eV : 0);
+  problem.relaxed = !problem.bending;
+  problem.prestress_eV_per_A2 = pretension * Eigen::Matrix2d::Identity();
   problem.load = load_of(tip);
   problem.record_radius_A = tip.record_radius_A;
   problem.levels = levels_around(depth, levels);
@@ -80,8 +79,8 @@ class ForceRatio {
                const AnyCurveModel& shallow) {
     const double parameters[] = {Eh, pretension};
     std::vector<double> at, ratio;
-    const sheet::SheetReport report =
-        sheet::solve(problem_of(tip, Eh, pretension, depth, levels_for(tip)), [&](const sheet::SheetStep& step) {
+    const membrane::Report report =
+        membrane::solve(problem_of(tip, Eh, pretension, depth, levels_for(tip)), [&](const membrane::Step& step) {
           if (!step.converged) return false;
           at.push_back(step.depth_A);
           ratio.push_back(step.force_eV_per_A / shallow.value(step.depth_A, parameters));
@@ -140,7 +139,7 @@ std::vector<double> membrane_forces(const MembraneTip& tip, double Eh, double pr
 
 SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double pretension,
                        const std::vector<double>& depth) {
-  sheet::SheetProblem problem = problem_of(tip, 1, pretension, depth, 2);
+  membrane::Problem problem = problem_of(tip, 1, pretension, depth, 2);
   problem.law = law;
   constexpr int parts = 5;  // between the depths asked for, so that the solver keeps to its path
   problem.levels.clear();
@@ -150,7 +149,7 @@ SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double 
       problem.levels.push_back(std::lerp(before, depth[i], static_cast<double>(k) / parts));
   }
   SheetCurve curve;
-  const sheet::SheetReport report = sheet::solve(problem, [&](const sheet::SheetStep& step) {
+  const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
     if (!step.converged) return false;
     if ((step.level + 1) % parts != 0) return true;
     curve.depth_A.push_back(step.depth_A);

@@ -63,14 +63,14 @@ const Named& find(const std::vector<Named>& list, const std::string& key) {
 SheetPicture picture_of(const membrane::Problem& problem, const membrane::Step& step, double thickness_A) {
   SheetPicture picture;
   picture.mesh = membrane::mesh_of(problem);
-  const membrane::SheetFields fields = membrane::fields_of(problem, picture.mesh, step);
+  const membrane::SheetFields fields = membrane::fields_of(problem, picture.mesh, step.on_triangles().displacements);
   picture.triangles = triangle_columns(fields, thickness_A);
   picture.totals = totals_of(fields, step);
   picture.thickness_A = thickness_A;
-  picture.displacement = copy(step.displacements);
-  picture.nodes = {
-      {"displacement_A", "Å", "displacement from the flat sheet", 3, picture.displacement},
-      {"reaction_eV_per_A", "eV/Å", "force of the supports and symmetry planes on the node", 3, copy(step.reactions)}};
+  picture.displacement = copy(step.on_triangles().displacements);
+  picture.nodes = {{"displacement_A", "Å", "displacement from the flat sheet", 3, picture.displacement},
+                   {"reaction_eV_per_A", "eV/Å", "force of the supports and symmetry planes on the node", 3,
+                    copy(step.on_triangles().reactions)}};
   picture.level = problem.levels[step.level];
   return picture;
 }

@@ -6,16 +6,15 @@
 #include "atomistic/problem.hpp"
 #include "compare/potential/law/calibrated_law.hpp"
 #include "compare/results/result.hpp"
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
 
 void append(Run& run, const membrane::Step& step);
 
-/// With the longest bond that the strains of the sheet predict, where the law knows it. `stretch` is the flat sheet's.
-void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::optional<LongestBond>& longest_bond,
-            double stretch);
+/// Of a meridian, with the longest bond that its strains predict, where the law knows it. `stretch` is the flat
+/// sheet's.
+void append(Run& run, const membrane::Step& step, const std::optional<LongestBond>& longest_bond, double stretch);
 
 /// `artefact_from_A` is the potential's own length from which forces are an artefact.
 void append(Run& run, const atomistic::Step& step, double artefact_from_A);
@@ -25,7 +24,6 @@ void append(Run& run, const atomistic::Step& step, double artefact_from_A);
 Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps);
 
 void close(Run& run, const membrane::Report& report);
-void close(Run& run, const membrane::axisymmetric::SheetReport& report);
 void close(Run& run, const atomistic::Report& report);
 
 }  // namespace validate

@@ -8,7 +8,6 @@
 
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
-#include "membrane/meridian/sheet.hpp"
 
 namespace validate::verify {
 namespace {
@@ -67,15 +66,10 @@ void finite(Ledger& ledger) {
   constexpr double modulus = 20, kappa = 1, c = 10;
   Problem problem = bent_sheet(modulus, kappa, DiscLoad{c}, 72);
   problem.levels = {2, 8, 20};
-  axisymmetric::SheetProblem twin;
-  twin.radius_A = a;
-  twin.law = problem.law;
-  twin.relaxed = false;
-  twin.bending_modulus_eV = kappa;
-  twin.load = axisymmetric::DiscLoad{c};
-  twin.levels = problem.levels;
-  std::vector<axisymmetric::SheetStep> twins;
-  axisymmetric::solve(twin, [&](const axisymmetric::SheetStep& step) {
+  Problem twin = problem;
+  twin.discretisation = Meridian{};
+  std::vector<Step> twins;
+  solve(twin, [&](const Step& step) {
     if (step.converged) twins.push_back(step);
     return step.converged;
   });

@@ -83,8 +83,8 @@ void newton(Ledger& ledger) {
   Problem problem = round_sheet(110, 8.03368, 0.19, 36);
   problem.load = DiscLoad{10};
   problem.levels = {20};
-  problem.solver = {.relative_residual = 1e-12, .keep_factor = false};
-  std::vector<double> r = solved_last(problem).residual_history;
+  problem.discretisation = Triangles{.relative_residual = 1e-12, .keep_factor = false};
+  std::vector<double> r = solved_last(problem).on_triangles().residual_history;
   const std::string series = fmt::format("relative residuals {:.0e}", fmt::join(r, ", "));
   while (r.size() > 3 && r.back() < 1e-11) r.pop_back();
   const auto fall = [&](std::size_t back) { return std::log(r[r.size() - back] / r[r.size() - back - 1]); };

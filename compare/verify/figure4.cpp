@@ -15,7 +15,7 @@ using namespace membrane;
 SmallerStress smaller_cauchy_force(const Problem& problem, const Step& step) {
   SmallerStress range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Triangle& triangle : mesh_of(problem).triangles) {
-    const Voigt strain = strain_of(triangle, step.displacements);
+    const Voigt strain = strain_of(triangle, step.on_triangles().displacements);
     const Voigt force = std::visit(
         [&](const auto& law) { return cauchy_force(law, strain, Voigt::Zero(), problem.relaxed); }, problem.law);
     const double smaller = principal_forces(force).smaller;

@@ -50,7 +50,8 @@ Problem bent(double band, int cells) {
 double band_of(const Problem& problem, const Step& step) {
   const Mesh mesh = mesh_of(problem);
   const auto force = [&](const Triangle& triangle) {
-    return principal_forces(membrane_force({problem.law, Voigt::Zero(), true}, strain_of(triangle, step.displacements)))
+    return principal_forces(membrane_force({problem.law, Voigt::Zero(), true},
+                                           strain_of(triangle, step.on_triangles().displacements)))
         .larger;
   };
   const auto in_middle = [&](const Triangle& triangle) {

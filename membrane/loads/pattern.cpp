@@ -26,10 +26,6 @@ Pattern point_pattern(int nodes, int node) {
   return pattern;
 }
 
-Pattern disc_pattern(const Mesh& mesh, double radius_A) {
-  return radial_pattern(mesh, radius_A, [](double) { return 1.0; });
-}
-
 Pattern radial_pattern(const Mesh& mesh, double radius_A, const std::function<double(double)>& density) {
   const double reach = radius_A * (1 + 1e-9);  // the nodes of the edge are on it to rounding
   const auto inside = [&](int node) { return mesh.nodes[node].norm() <= reach; };

@@ -23,12 +23,9 @@ struct Pattern {
 /// The whole force on one node of `nodes`. Throws std::out_of_range for a node that is not there.
 Pattern point_pattern(int nodes, int node);
 
-/// Uniform per reference area over the triangles within radius_A of the origin, whose edge must lie on
-/// element edges. The total is one whatever area the chords cut off. Throws std::invalid_argument if none
-/// lies inside.
-Pattern disc_pattern(const Mesh& mesh, double radius_A);
-
-/// The same with a density over the radius (Å), by the triangles' mid-side rule (exact for a linear density).
+/// Density (per reference area, over the radius in Å) on the triangles within radius_A of the origin, whose edge must
+/// lie on element edges, by the triangles' mid-side rule (exact for a linear density). The total is one whatever area
+/// the chords cut off. Throws std::invalid_argument if none lies inside.
 Pattern radial_pattern(const Mesh& mesh, double radius_A, const std::function<double(double)>& density);
 
 }  // namespace membrane

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 /// Gauss–Legendre on [0, 1].
@@ -68,6 +68,7 @@ void Assembly::release_held(Eigen::VectorXd& vector) const {
 }
 
 double Assembly::energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+  ++passes_;
   parts_.assign(terms_.size() + 1, 0);
   gradient.setZero(dof_count());
   const auto add = [&](const QuadraturePoint& point, const LocalState& density) {
@@ -112,6 +113,7 @@ void Assembly::add(const QuadraturePoint& point, const Eigen::Matrix<double, 6, 
 }
 
 void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
+  ++passes_;
   K.set_zero();
   for (const QuadraturePoint& point : points_) {
     const LocalState y = state(point, x);
@@ -165,4 +167,4 @@ LocalState Assembly::state_at(double radius, const Eigen::VectorXd& x) const {
   return interpolation(length, (radius - nodes_[e]) / length) * x.segment<2 * dofs_per_node>(dofs_per_node * e);
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -9,7 +9,7 @@
 #include "membrane/meridian/block_tridiagonal.hpp"
 #include "membrane/meridian/terms.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 /// A Gauss point of an element.
 struct QuadraturePoint {
@@ -71,6 +71,9 @@ class Assembly {
   /// Makes the held components zero.
   void release_held(Eigen::VectorXd& vector) const;
 
+  /// How often energies or Hessians were summed up so far.
+  int passes() const { return passes_; }
+
   int dof_count() const { return dofs_per_node * static_cast<int>(nodes_.size()); }
   int element_count() const { return static_cast<int>(nodes_.size()) - 1; }
   const std::vector<double>& nodes() const { return nodes_; }
@@ -108,6 +111,7 @@ class Assembly {
   std::vector<double> pressures_;  ///< of the contact's rings, eV/Å³
   std::vector<double> parts_;
   Eigen::VectorXd full_gradient_;
+  mutable int passes_ = 0;
 };
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 constexpr double slack_share = 1e-8;  // of the largest diagonal: nodes of a slack sheet have no stiffness at all
@@ -70,4 +70,4 @@ Eigen::VectorXd BlockCholesky::solve(const Eigen::VectorXd& right_side) const {
   return x;
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -6,7 +6,7 @@
 
 #include "membrane/meridian/hermite.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 using Block = Eigen::Matrix<double, dofs_per_node, dofs_per_node>;
 
@@ -36,4 +36,4 @@ class BlockCholesky {
   std::vector<Block> below_;
 };
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

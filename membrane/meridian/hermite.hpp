@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 /// At one point of the meridian: [u, u', u'', w, w', w''], primes along the reference radius.
 using LocalState = Eigen::Matrix<double, 6, 1>;
@@ -31,4 +31,4 @@ inline Interpolation interpolation(double length, double t) {
   return B;
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace membrane::axisymmetric {
+#include "membrane/meridian/round_problem.hpp"
+
+namespace membrane::meridian {
 namespace {
 
 constexpr double growth = 0.3;
@@ -30,15 +32,15 @@ struct Demand {
     if (load_radius < radius) fixed.push_back(load_radius);
   }
 
-  void operator()(const PointLoad&) { foci.push_back({0, 0, radius * (layer > 0 ? point_plate : point_membrane)}); }
-  void operator()(const DiscLoad& disc) { patch(disc.radius_A); }
-  void operator()(const ProfileLoad& profile) { patch(profile.radius_A); }
-  void operator()(const SphereLoad& sphere) {
+  void operator()(const CentreForce&) { foci.push_back({0, 0, radius * (layer > 0 ? point_plate : point_membrane)}); }
+  void operator()(const SpreadForce& spread) { patch(spread.radius_A); }
+  void operator()(const RigidSphere& sphere) {
     const double size = under_sphere * sphere.radius_A;
     foci.push_back({0, std::min(sphere.radius_A, radius), size});
     if (layer == 0) foci.push_back({0, 0, first_contact * size});
   }
-  void operator()(const PressureLoad&) {}
+  void operator()(const FollowerPressure&) {}
+  void operator()(const EdgeMotion&) {}  // no load of a meridian: check()
 };
 
 }  // namespace
@@ -66,16 +68,15 @@ std::vector<double> graded_radii(double sheet_radius, const std::vector<double>&
   return radii;
 }
 
-std::vector<double> nodes_for(const SheetProblem& problem) {
-  const double modulus = std::visit([](const auto& law) -> double { return law.sheet_modulus_eV_per_A2; }, problem.law);
-  const double layer = layer_share * std::sqrt(problem.bending_modulus_eV / modulus);
-  Demand demand{problem.radius_A, layer};
-  std::visit(demand, problem.load);
-  const double largest = largest_share * problem.radius_A;
-  demand.foci.push_back({problem.radius_A, problem.radius_A, demand.in_layer(largest)});
-  for (Focus& focus : demand.foci) focus.size_A /= problem.refinement;
-  return graded_radii(problem.radius_A, demand.fixed, demand.foci, growth / problem.refinement,
-                      largest / problem.refinement);
+std::vector<double> nodes_for(const Problem& problem) {
+  const double radius = radius_A(problem), refinement = std::get<Meridian>(problem.discretisation).refinement;
+  const double layer = layer_share * std::sqrt(bending_modulus_eV(problem) / sheet_modulus(problem.law));
+  Demand demand{radius, layer};
+  std::visit(demand, action_of(problem.load));
+  const double largest = largest_share * radius;
+  demand.foci.push_back({radius, radius, demand.in_layer(largest)});
+  for (Focus& focus : demand.foci) focus.size_A /= refinement;
+  return graded_radii(radius, demand.fixed, demand.foci, growth / refinement, largest / refinement);
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

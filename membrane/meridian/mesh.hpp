@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 /// A stretch of the meridian that wants elements of this length; away from it they may grow.
 struct Focus {
@@ -19,8 +19,8 @@ struct Focus {
 std::vector<double> graded_radii(double sheet_radius_A, const std::vector<double>& fixed,
                                  const std::vector<Focus>& foci, double growth, double largest_A);
 
-/// The nodes that a problem needs: short elements at the tip and at the load's edge; and, where the sheet
+/// The nodes that a problem on a meridian needs: short elements at the tip and at the load's edge; and, where the sheet
 /// resists bending, some times the shortest boundary layer √(κ/N) long at that edge and at the rim.
-std::vector<double> nodes_for(const SheetProblem& problem);
+std::vector<double> nodes_for(const Problem& problem);
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -5,7 +5,7 @@
 
 #include "membrane/base/line_search.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
@@ -83,4 +83,4 @@ Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
   return at;
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

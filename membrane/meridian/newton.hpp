@@ -7,7 +7,7 @@
 #include "membrane/meridian/assembly.hpp"
 #include "membrane/meridian/block_tridiagonal.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 struct Equilibrium {
   bool converged = false;
@@ -39,4 +39,4 @@ class Newton {
   Eigen::VectorXd gradient_, residual_, step_, trial_, trial_gradient_;
 };
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

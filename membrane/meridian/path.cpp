@@ -1,17 +1,18 @@
-// Follows the levels of a round sheet: solve() of sheet.hpp.
+#include "membrane/meridian/path.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
+#include "membrane/follow_levels.hpp"
 #include "membrane/meridian/newton.hpp"
 #include "membrane/meridian/predictor.hpp"
 #include "membrane/meridian/record.hpp"
+#include "membrane/meridian/round_problem.hpp"
 #include "membrane/meridian/setup.hpp"
-#include "membrane/meridian/sheet.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 constexpr int most_cuts = 12;              // failed attempts on the way to one level …
@@ -27,28 +28,19 @@ constexpr double barrier_decay = 0.1;   // at each stride; later strides are lon
 
 class Path {
  public:
-  explicit Path(const SheetProblem& problem)
+  explicit Path(const Problem& problem)
       : problem_(problem),
         assembly_(assembly_of(problem)),
         newton_(assembly_),
         pattern_(pattern_of(problem, assembly_)),
         predictor_(tip_shape(problem, assembly_, pattern_), problem.pressure_eV_per_A3 == 0) {}
 
-  SheetReport follow(const OnSheetStep& on_step) {
-    SheetReport report{true, "every level was reached", assembly_.element_count(), 0};
-    if (problem_.pressure_eV_per_A3 != 0) reach_pressure(problem_.pressure_eV_per_A3);
-    for (std::size_t i = 0; i < problem_.levels.size(); ++i) {
-      iterations_ = 0;
-      const Attempt end = level(problem_.levels[i]);
-      const bool reached = end.equilibrium.converged;
-      const bool go_on = on_step(step(static_cast<int>(i), end));
-      if (reached && go_on) continue;
-      report.converged = reached && i + 1 == problem_.levels.size();
-      report.reason = reached ? "ended by the caller" : failure(i, end.equilibrium);
-      break;
-    }
-    report.factorisations = newton_.factorisations();
-    return report;
+  Report follow(const OnStep& on_step) {
+    report_.elements = assembly_.element_count();
+    if (inflate()) go_through_levels(on_step);
+    report_.factorisations = newton_.factorisations();
+    report_.assemblies = assembly_.passes();
+    return report_;
   }
 
  private:
@@ -57,28 +49,42 @@ class Path {
     Known known;
   };
 
+  /// The constant pressure comes first, as a path of its own.
+  bool inflate() {
+    if (problem_.pressure_eV_per_A3 == 0) return true;
+    const Attempt end = reach_pressure(problem_.pressure_eV_per_A3);
+    report_.reason = "the constant pressure: " + end.equilibrium.reason;
+    return end.equilibrium.converged;
+  }
+
+  void go_through_levels(const OnStep& on_step) {
+    follow_levels(
+        problem_.levels, unit(), on_step, report_,
+        [&](double value) {
+          iterations_ = 0;
+          return level(value);
+        },
+        [&](int i, const Attempt& end) { return step(i, end); });
+  }
+
+  const char* unit() const { return pressed_ ? "eV/Å³" : problem_.control == Control::force ? "eV/Å" : "Å"; }
+
   Attempt level(double value) {
-    if (std::holds_alternative<PressureLoad>(problem_.load)) return reach_pressure(value);
+    if (pressed_) return reach_pressure(value);
     return problem_.control == Control::force ? reach_force(value) : reach_depth(value);
   }
 
-  /// Goes to a value of what is controlled from where the path stands; where an attempt fails, a value
-  /// between is reached first.
+  /// Goes to a value of what is controlled from where the path stands.
   template <class Try, class Here>
   Attempt reach(double value, Try attempt, Here here) {
     const bool first = !predictor_.last();
-    Attempt at = attempt(value);
-    std::vector<double> between;  // the next one last
     const int most = newton_.factorisations() + (first ? most_for_the_first : most_factorisations);
-    const auto goes_on = [&](int cuts) { return cuts < most_cuts && newton_.factorisations() < most; };
-    for (int cuts = 0; !at.equilibrium.converged && goes_on(cuts);) {
-      const double target = between.empty() ? value : between.back();
-      between.push_back(predictor_.last() ? 0.5 * (here() + target) : target / 8);
-      ++cuts;
-      while (!between.empty() && attempt(between.back()).equilibrium.converged) between.pop_back();
-      if (between.empty()) at = attempt(value);
-    }
-    return at;
+    return membrane::reach(
+        value, attempt, [&](double missed) { return predictor_.last() ? 0.5 * (here() + missed) : missed / 8; },
+        [&](int cuts) { return cuts < most_cuts && newton_.factorisations() < most; },
+        [&](double missed, double next, const Equilibrium& why) {
+          report_.cuts.push_back(cut_note(missed, next, why));
+        });
   }
 
   Attempt reach_pressure(double pressure) {
@@ -202,38 +208,31 @@ class Path {
     iterations_ += at.equilibrium.iterations;
   }
 
-  SheetStep step(int level, const Attempt& end) {
-    SheetStep step = record(problem_, assembly_, end.known.x);
+  Step step(int level, const Attempt& end) {
+    Step step = record(problem_, assembly_, end.known.x);
     step.level = level;
     step.converged = end.equilibrium.converged;
-    step.conjugate_depth_A = std::holds_alternative<PressureLoad>(problem_.load) ? 0 : end.known.depth_A;
+    const double area = std::numbers::pi * std::pow(assembly_.nodes().back(), 2);
+    step.conjugate_depth_A = pressed_ ? step.volume_A3 / area : end.known.depth_A;
     step.force_eV_per_A = end.known.force_eV_per_A;
     step.relative_residual = end.equilibrium.relative_residual;
-    step.iterations = iterations_;
+    step.newton_iterations = iterations_;
     return step;
   }
 
-  std::string failure(std::size_t level, const Equilibrium& at) const {
-    std::ostringstream text;
-    text << "level " << level << " (" << problem_.levels[level] << "): " << at.reason << "; relative residual "
-         << at.relative_residual;
-    return text.str();
-  }
-
-  const SheetProblem& problem_;
+  const Problem& problem_;
+  bool pressed_ = traits_of(problem_).pressure;  ///< the levels are pressures
   Assembly assembly_;
   Newton newton_;
   Eigen::VectorXd pattern_;
   Predictor predictor_;
+  Report report_;
   double pressure_ = 0;  ///< of the last bulge that was found, eV/Å³
   int iterations_ = 0;   ///< on the way to the present level, cut-backs included
 };
 
 }  // namespace
 
-SheetReport solve(const SheetProblem& problem, const OnSheetStep& on_step) {
-  check(problem);
-  return Path(problem).follow(on_step);
-}
+Report follow(const Problem& problem, const OnStep& on_step) { return Path(problem).follow(on_step); }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

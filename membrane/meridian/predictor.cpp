@@ -6,7 +6,7 @@
 
 #include "membrane/meridian/hermite.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 constexpr double coincident = 1e-9;  // of the depth
@@ -45,4 +45,4 @@ double Predictor::depth_at(double force) const {
   return last_->depth_A * std::exp(std::clamp(farther, -2.0, 2.0));
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

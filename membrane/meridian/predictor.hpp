@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 struct Known {
   double depth_A = 0;  ///< conjugate
@@ -36,4 +36,4 @@ class Predictor {
   std::optional<Known> last_, before_;
 };
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -4,11 +4,11 @@
 #include <Eigen/Core>
 
 #include "membrane/meridian/assembly.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
-/// Shape, energies, strains, forces and reactions of x; what belongs to the path is left for it to fill in.
-SheetStep record(const SheetProblem& problem, Assembly& assembly, const Eigen::VectorXd& x);
+/// Shape, energies, strains, forces, volume and reactions of x; what belongs to the path is left for it to fill in.
+Step record(const Problem& problem, Assembly& assembly, const Eigen::VectorXd& x);
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

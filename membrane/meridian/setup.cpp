@@ -9,51 +9,40 @@
 #include "membrane/base/refusal.hpp"
 #include "membrane/laws/prestress.hpp"
 #include "membrane/meridian/mesh.hpp"
+#include "membrane/meridian/round_problem.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
-std::vector<EnergyTerm> terms_of(const SheetProblem& problem) {
-  const double tension = problem.pretension_eV_per_A2;
-  const Voigt offset =
-      std::visit([&](const auto& law) { return offset_strain(law, Voigt(tension, tension, 0)); }, problem.law);
-  if (!offset.allFinite()) refuse("pretension_eV_per_A2", tension, "the law cannot carry it");
+std::vector<EnergyTerm> terms_of(const Problem& problem) {
+  const double tension = pretension_eV_per_A2(problem);
+  const Voigt offset = std::visit(
+      [&]<MaterialLaw L>(const L& law) { return offset_strain(law, Voigt(tension, tension, 0)); }, problem.law);
+  if (!offset.allFinite()) refuse("prestress_eV_per_A2", tension, "the law cannot carry this prestress");
   Stretching stretching{problem.law, offset[0], problem.relaxed, 0};
   stretching.flat_energy = stretching.response(Voigt::Zero()).energy_eV_per_A2;
-  return {stretching, Bending{problem.bending_modulus_eV}, Pressure{problem.pressure_eV_per_A3}};
+  return {stretching, Bending{bending_modulus_eV(problem)}, Pressure{problem.pressure_eV_per_A3}};
 }
 
-std::vector<int> held_dofs(const SheetProblem& problem, int nodes) {
-  const bool bends = problem.bending_modulus_eV > 0;
+std::vector<int> held_dofs(const Problem& problem, int nodes) {
+  const bool bends = problem.bending.has_value();
+  const bool clamped = std::get<DiscSheet>(problem.sheet).rim == Support::clamped;
   const int rim = dofs_per_node * (nodes - 1);
   std::vector<int> held{0, rim + 2};  // u at the centre, w at the rim
-  const bool cone = !bends && std::holds_alternative<PointLoad>(problem.load);
-  if (!cone) held.push_back(3);                          // slope at the centre
-  if (problem.rim == Rim::clamped) held.push_back(rim);  // u at the rim
-  if (problem.rim == Rim::clamped && bends) held.push_back(rim + 3);
+  const bool cone = !bends && traits_of(problem).peaked;
+  if (!cone) held.push_back(3);      // slope at the centre
+  if (clamped) held.push_back(rim);  // u at the rim
+  if (clamped && bends) held.push_back(rim + 3);
   return held;
 }
 
 struct PatternOf {
   const Assembly& assembly;
-  Eigen::VectorXd operator()(const PointLoad&) const { return Eigen::VectorXd::Unit(assembly.dof_count(), 2); }
-  Eigen::VectorXd operator()(const DiscLoad& disc) const {
-    return assembly.pattern([](double) { return 1.0; }, disc.radius_A);
-  }
-  Eigen::VectorXd operator()(const ProfileLoad& profile) const {
-    return assembly.pattern(profile.density, profile.radius_A);
-  }
-  Eigen::VectorXd operator()(const SphereLoad&) const { return {}; }
-  Eigen::VectorXd operator()(const PressureLoad&) const { return {}; }
-};
-
-struct LoadRadius {
-  double operator()(const PointLoad&) const { return 0; }
-  double operator()(const PressureLoad&) const { return 0; }
-  template <class Wide>
-  double operator()(const Wide& load) const {
-    return load.radius_A;
-  }
+  Eigen::VectorXd operator()(const CentreForce&) const { return Eigen::VectorXd::Unit(assembly.dof_count(), 2); }
+  Eigen::VectorXd operator()(const SpreadForce& load) const { return assembly.pattern(load.density, load.radius_A); }
+  Eigen::VectorXd operator()(const RigidSphere&) const { return {}; }
+  Eigen::VectorXd operator()(const FollowerPressure&) const { return {}; }
+  Eigen::VectorXd operator()(const EdgeMotion&) const { return {}; }
 };
 
 template <class Depth, class Slope>
@@ -69,53 +58,48 @@ Eigen::VectorXd shape(const Assembly& assembly, Depth depth, Slope slope) {
 
 }  // namespace
 
-double sheet_modulus(const SheetProblem& problem) {
-  return std::visit([](const auto& law) -> double { return law.sheet_modulus_eV_per_A2; }, problem.law);
-}
-
-Assembly assembly_of(const SheetProblem& problem) {
+Assembly assembly_of(const Problem& problem) {
   std::vector<double> nodes = nodes_for(problem);
   std::vector<int> held = held_dofs(problem, static_cast<int>(nodes.size()));
   std::optional<SphereContact> contact;
-  if (const auto* sphere = std::get_if<SphereLoad>(&problem.load))
-    contact = SphereContact{.radius_A = sphere->radius_A};
+  if (const Traits load = traits_of(problem); load.sphere) contact = SphereContact{.radius_A = load.radius_A};
   return {std::move(nodes), std::move(held), terms_of(problem), contact};
 }
 
-Eigen::VectorXd pattern_of(const SheetProblem& problem, const Assembly& assembly) {
-  return std::visit(PatternOf{assembly}, problem.load);
+Eigen::VectorXd pattern_of(const Problem& problem, const Assembly& assembly) {
+  return std::visit(PatternOf{assembly}, action_of(problem.load));
 }
 
 double conjugate_depth(const Eigen::VectorXd& pattern, const Eigen::VectorXd& x) {
   return pattern.size() > 0 ? pattern.dot(x) : x[2];
 }
 
-Eigen::VectorXd tip_shape(const SheetProblem& problem, const Assembly& assembly, const Eigen::VectorXd& pattern) {
+Eigen::VectorXd tip_shape(const Problem& problem, const Assembly& assembly, const Eigen::VectorXd& pattern) {
   // A point's slope would be infinite: it is rounded over the first element.
-  const double c = std::max(std::visit(LoadRadius{}, problem.load), assembly.nodes()[1]);
-  const double rim = std::hypot(problem.radius_A, c);
+  const double c = std::max(traits_of(problem).radius_A, assembly.nodes()[1]);
+  const double rim = std::hypot(radius_A(problem), c);
   const Eigen::VectorXd x = shape(
       assembly, [&](double r) { return 1 - std::pow(std::hypot(r, c) / rim, 2.0 / 3); },
       [&](double r) { return -2.0 / 3 * r * std::pow(std::hypot(r, c), -4.0 / 3) * std::pow(rim, -2.0 / 3); });
   return x / conjugate_depth(pattern, x);
 }
 
-Eigen::VectorXd bulge_shape(const SheetProblem& problem, const Assembly& assembly, double pressure) {
-  const double a = problem.radius_A;
-  const double depth = 0.65 * a * std::cbrt(pressure * a / sheet_modulus(problem));
+Eigen::VectorXd bulge_shape(const Problem& problem, const Assembly& assembly, double pressure) {
+  const double a = radius_A(problem);
+  const double depth = 0.65 * a * std::cbrt(pressure * a / sheet_modulus(problem.law));
   return shape(
       assembly, [&](double r) { return depth * (1 - r * r / (a * a)); },
       [&](double r) { return -2 * depth * r / (a * a); });
 }
 
-double start_depth(const SheetProblem& problem, double force) {
+double start_depth(const Problem& problem, double force) {
   const double pi = std::numbers::pi;
-  const double a = problem.radius_A;
+  const double a = radius_A(problem);
   const double none = std::numeric_limits<double>::infinity();
-  const double tension = problem.pretension_eV_per_A2;
-  const double bending = problem.bending_modulus_eV;
-  return std::min({std::cbrt(force * a * a / sheet_modulus(problem)), tension > 0 ? force / (pi * tension) : none,
+  const double tension = pretension_eV_per_A2(problem);
+  const double bending = bending_modulus_eV(problem);
+  return std::min({std::cbrt(force * a * a / sheet_modulus(problem.law)), tension > 0 ? force / (pi * tension) : none,
                    bending > 0 ? force * a * a / (16 * pi * bending) : none});
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -6,7 +6,7 @@
 
 #include "membrane/laws/tension_field.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 Voigt Stretching::strain(double s, const LocalState& y) {
   const double hoop = y[U] / s;
@@ -133,4 +133,4 @@ Density SphereContact::operator()(const Ring& ring, const LocalState& y, double 
   return density;
 }
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

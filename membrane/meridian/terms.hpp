@@ -8,7 +8,7 @@
 #include "membrane/laws/list.hpp"
 #include "membrane/meridian/hermite.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 
 /// What a quadrature point stands for.
 struct Ring {
@@ -73,4 +73,4 @@ struct SphereContact {
 /// The terms that are spread over the whole sheet.
 using EnergyTerm = std::variant<Stretching, Bending, Pressure>;
 
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -47,7 +47,7 @@ class PatternDrive : public Drive {
     VectorXd u = predictor_.empty()
                      ? first_guess(value)
                      : predictor_.displacements(by_force ? predictor_.conjugate_depth(on_part(value)) : value);
-    if (const auto* sphere = std::get_if<SphereLoad>(&problem_.load)) model_.clear_sphere(*sphere, u);
+    model_.clear_sphere(u);
     return u;
   }
 
@@ -62,6 +62,7 @@ class PatternDrive : public Drive {
 
   double between(double value) const override { return half_way(value_, value); }
   const char* unit() const override { return problem_.control == Control::force ? "eV/Å" : "Å"; }
+  double conjugate_depth(const VectorXd& u) const override { return depth_of(u); }
 
  protected:
   double on_part(double force) const { return force / model_.mesh().copies; }
@@ -71,7 +72,7 @@ class PatternDrive : public Drive {
   VectorXd first_guess(double value) {
     const VectorXd forces = padded(schwerin_pattern(model_.mesh(), load_radius_A(problem_.load)).direction());
     const VectorXd shape = StiffenedSheet(model_, newton_).under_forces(forces);
-    const bool sphere = std::holds_alternative<SphereLoad>(problem_.load);
+    const bool sphere = model_.has_sphere();
     const Pattern tip = sphere ? Pattern{mean_on_circle(model_.mesh(), 0)} : model_.pattern();
     const double depth = padded(tip.direction()).dot(shape);
     const double amplitude =
@@ -100,7 +101,7 @@ class BulgedPatternDrive final : public PatternDrive {
  public:
   BulgedPatternDrive(const Problem& problem, Model& model, Newton& newton, VectorXd bulged)
       : PatternDrive(problem, model, newton, from_bulged) {
-    if (std::holds_alternative<SphereLoad>(problem.load)) {  // it touches the highest node
+    if (model.has_sphere()) {  // it touches the highest node
       const VectorXd transverse = Model::transverse(bulged).head(model.mesh().node_count());
       bulged[model.indenter_dof()] = -transverse.minCoeff();
     }
@@ -120,9 +121,9 @@ class BulgedPatternDrive final : public PatternDrive {
 
  private:
   void move_to_depth(double depth, VectorXd& u) {
-    if (const auto* sphere = std::get_if<SphereLoad>(&problem_.load)) {
+    if (model_.has_sphere()) {
       u[model_.indenter_dof()] = -depth;
-      model_.clear_sphere(*sphere, u);
+      model_.clear_sphere(u);
       return;
     }
     const VectorXd direction = model_.pattern().direction();
@@ -134,8 +135,9 @@ class BulgedPatternDrive final : public PatternDrive {
 /// A pressure towards −z, by its value or by the mean depth V/A, which is conjugate to the force p A.
 class PressureDrive final : public Drive {
  public:
-  PressureDrive(const Problem& problem, Control control, Model& model, Newton& newton)
-      : problem_(problem), control_(control), model_(model), newton_(newton) {}
+  /// nested: the pressure is the problem's load, so that coarser sheets can be asked where it leads.
+  PressureDrive(const Problem& problem, Control control, bool nested, Model& model, Newton& newton)
+      : problem_(problem), control_(control), nested_(nested), model_(model), newton_(newton) {}
 
   VectorXd guess(double value) override {
     sign_ = value < 0 ? -1 : 1;
@@ -146,7 +148,7 @@ class PressureDrive final : public Drive {
     if (!predictor_.empty())
       return predictor_.displacements(control_ == Control::force ? predictor_.conjugate_depth(std::abs(value) * area_)
                                                                  : value);
-    if (std::holds_alternative<PressureLoad>(problem_.load))
+    if (nested_)
       if (const auto guess = guess_from_coarser(problem_, value, cells_for_tucks)) return padded(model_, *guess);
     return first_guess(value);
   }
@@ -163,6 +165,7 @@ class PressureDrive final : public Drive {
 
   double between(double value) const override { return half_way(value_, value); }
   const char* unit() const override { return control_ == Control::force ? "eV/Å³" : "Å of mean depth"; }
+  double conjugate_depth(const VectorXd& u) const override { return depth_.of(u); }
 
  private:
   /// The flat sheet's answer to the load, as far as the pressure wants it; a volume is restored by Newton's
@@ -181,6 +184,7 @@ class PressureDrive final : public Drive {
 
   const Problem& problem_;
   Control control_;
+  bool nested_;
   Model& model_;
   Newton& newton_;
   Predictor predictor_{from_flat, model_.first_rotation_node()};
@@ -193,8 +197,8 @@ class PressureDrive final : public Drive {
 /// A clamped edge that moves.
 class MotionDrive final : public Drive {
  public:
-  MotionDrive(const Problem& problem, Model& model, Newton& newton)
-      : problem_(problem), motion_(std::get<EdgeMotion>(problem.load)), model_(model), newton_(newton) {}
+  MotionDrive(const Problem& problem, const EdgeMotion& motion, Model& model, Newton& newton)
+      : problem_(problem), motion_(motion), model_(model), newton_(newton) {}
 
   VectorXd guess(double value) override {
     VectorXd u = predictor_.empty() ? first_guess(value) : predictor_.displacements(value);
@@ -209,6 +213,8 @@ class MotionDrive final : public Drive {
   }
   double between(double value) const override { return half_way(value_, value); }
   const char* unit() const override { return "× the motion"; }
+  double conjugate_depth(const VectorXd&) const override { return 0; }
+  const EdgeMotion* motion() const override { return &motion_; }
 
  private:
   VectorXd first_guess(double value) {
@@ -226,13 +232,30 @@ class MotionDrive final : public Drive {
   double value_ = 0;
 };
 
+struct DriveOf {
+  const Problem& problem;
+  Model& model;
+  Newton& newton;
+
+  using Made = std::unique_ptr<Drive>;
+  Made operator()(const CentreForce&) const { return pattern(); }
+  Made operator()(const SpreadForce&) const { return pattern(); }
+  Made operator()(const RigidSphere&) const { return pattern(); }
+  Made operator()(const FollowerPressure&) const {
+    return std::make_unique<PressureDrive>(problem, problem.control, true, model, newton);
+  }
+  Made operator()(const EdgeMotion& motion) const {
+    return std::make_unique<MotionDrive>(problem, motion, model, newton);
+  }
+
+ private:
+  Made pattern() const { return std::make_unique<PatternDrive>(problem, model, newton, from_flat); }
+};
+
 }  // namespace
 
 std::unique_ptr<Drive> make_drive(const Problem& problem, Model& model, Newton& newton) {
-  if (std::holds_alternative<PressureLoad>(problem.load))
-    return std::make_unique<PressureDrive>(problem, problem.control, model, newton);
-  if (std::holds_alternative<EdgeMotion>(problem.load)) return std::make_unique<MotionDrive>(problem, model, newton);
-  return std::make_unique<PatternDrive>(problem, model, newton, from_flat);
+  return std::visit(DriveOf{problem, model, newton}, action_of(problem.load));
 }
 
 std::unique_ptr<Drive> make_drive_from(const Problem& problem, Model& model, Newton& newton, const VectorXd& bulged) {
@@ -240,7 +263,7 @@ std::unique_ptr<Drive> make_drive_from(const Problem& problem, Model& model, New
 }
 
 std::unique_ptr<Drive> pressure_drive(const Problem& problem, Model& model, Newton& newton) {
-  return std::make_unique<PressureDrive>(problem, Control::force, model, newton);
+  return std::make_unique<PressureDrive>(problem, Control::force, false, model, newton);
 }
 
 }  // namespace membrane

@@ -23,6 +23,10 @@ class Drive {
   /// A value between the present one and one that could not be reached.
   virtual double between(double value) const = 0;
   virtual const char* unit() const = 0;
+  /// What the load's work is counted by (Step::conjugate_depth_A).
+  virtual double conjugate_depth(const Eigen::VectorXd& u) const = 0;
+  /// The edge that is moved, if one is.
+  virtual const EdgeMotion* motion() const { return nullptr; }
 };
 
 /// The load of a problem, from the flat sheet.

@@ -1,9 +1,10 @@
-// Follows the levels of a problem from the flat sheet: solve() of problem.hpp.
+#include "membrane/path/load_path.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 
+#include "membrane/follow_levels.hpp"
 #include "membrane/laws/principal.hpp"
 #include "membrane/path/drive.hpp"
 #include "membrane/problem.hpp"
@@ -29,10 +30,10 @@ class LoadPath {
       : problem_(problem),
         model_(problem),
         record_(mean_on_circle(model_.mesh(), problem.record_radius_A)),
-        newton_(model_.energy(), model_.pattern().direction(), problem.solver) {}
+        newton_(model_.energy(), model_.pattern().direction(), std::get<Triangles>(problem.discretisation)) {}
 
   Report follow(const OnStep& on_step) {
-    report_.triangles = static_cast<int>(model_.mesh().triangles.size());
+    report_.elements = static_cast<int>(model_.mesh().triangles.size());
     if (inflate()) go_through_levels(on_step);
     report_.factorisations = newton_.factorisations();
     report_.assemblies = model_.energy().passes();
@@ -57,41 +58,22 @@ class LoadPath {
   }
 
   void go_through_levels(const OnStep& on_step) {
-    report_.reason = "every level was reached";
-    report_.converged = true;
-    for (std::size_t i = 0; i < problem_.levels.size(); ++i) {
-      iterations_ = 0;
-      const Attempt end = reach(problem_.levels[i]);
-      const bool reached = end.equilibrium.converged;
-      const bool go_on = on_step(step(static_cast<int>(i), end));
-      if (reached && go_on) continue;
-      report_.converged = reached && i + 1 == problem_.levels.size();
-      report_.reason = reached ? "ended by the caller" : failure(i, end.equilibrium);
-      break;
-    }
+    follow_levels(
+        problem_.levels, drive_->unit(), on_step, report_,
+        [&](double level) {
+          iterations_ = 0;
+          return reach(level);
+        },
+        [&](int level, const Attempt& end) { return step(level, end); });
   }
 
-  /// Goes to a value of what the levels prescribe; where an attempt fails, a value between is reached first, and the
-  /// steps grow again from there. Returns the last attempt at the value itself.
-  Attempt reach(double value) {
-    Attempt at = attempt(value);
-    std::vector<double> between;  // unreported stations, the next one last
-    for (int cuts = 0; !at.equilibrium.converged && cuts < most_cuts;) {
-      const double target = between.empty() ? value : between.back();
-      between.push_back(drive_->between(target));
-      note_cut(target, between.back(), at.equilibrium);
-      ++cuts;
-      while (!between.empty()) {
-        const Attempt station = attempt(between.back());
-        if (!station.equilibrium.converged) {
-          at.equilibrium.reason = station.equilibrium.reason;
-          break;
-        }
-        between.pop_back();
-      }
-      if (between.empty()) at = attempt(value);
-    }
-    return at;
+  Attempt reach(double level) {
+    return membrane::reach(
+        level, [&](double value) { return attempt(value); }, [&](double value) { return drive_->between(value); },
+        [](int cuts) { return cuts < most_cuts; },
+        [&](double missed, double next, const Equilibrium& why) {
+          report_.cuts.push_back(cut_note(missed, next, why));
+        });
   }
 
   Attempt attempt(double value) {
@@ -122,19 +104,6 @@ class LoadPath {
     return at;
   }
 
-  void note_cut(double target, double between, const Equilibrium& at) {
-    std::ostringstream text;
-    text << "on the way to " << target << ": " << at.reason << "; trying " << between << " first";
-    report_.cuts.push_back(text.str());
-  }
-
-  std::string failure(std::size_t level, const Equilibrium& at) const {
-    std::ostringstream text;
-    text << "level " << level << " (" << problem_.levels[level] << " " << drive_->unit() << "): " << at.reason
-         << "; relative residual " << at.relative_residual;
-    return text.str();
-  }
-
   double rim_membrane_force(const Eigen::VectorXd& u) {
     const Mesh& mesh = model_.mesh();
     double largest = 0;
@@ -146,24 +115,24 @@ class LoadPath {
   }
 
   /// What the supports do: forces on all nodes they hold, and their sum over the full sheet.
-  void add_reactions(Step& step) const {
+  void add_reactions(Step& step, TriangleShape& shape) const {
     const Mesh& mesh = model_.mesh();
-    step.reactions = Eigen::VectorXd::Zero(3 * mesh.node_count());
+    shape.reactions = Eigen::VectorXd::Zero(3 * mesh.node_count());
     for (int n = 0; n < mesh.node_count(); ++n)
       for (int c = 0; c < 3; ++c)
-        if (mesh.held[n][c]) step.reactions[3 * n + c] = newton_.gradient()[3 * n + c];
-    step.support_force_eV_per_A = mesh.copies * step.reactions.reshaped(3, mesh.node_count()).rowwise().sum();
+        if (mesh.held[n][c]) shape.reactions[3 * n + c] = newton_.gradient()[3 * n + c];
+    step.support_force_eV_per_A = mesh.copies * shape.reactions.reshaped(3, mesh.node_count()).rowwise().sum();
     if (mesh.copies > 1) step.support_force_eV_per_A.head<2>().setZero();
-    if (const auto* motion = std::get_if<EdgeMotion>(&problem_.load)) add_edge_reaction(*motion, step);
+    if (const EdgeMotion* motion = drive_->motion()) add_edge_reaction(*motion, shape, step);
   }
 
-  void add_edge_reaction(const EdgeMotion& motion, Step& step) const {
+  void add_edge_reaction(const EdgeMotion& motion, const TriangleShape& shape, Step& step) const {
     const Mesh& mesh = model_.mesh();
     const double level = problem_.levels[step.level];
     const Eigen::Vector2d pivot = motion.pivot_A + level * motion.translation_A.head<2>();
     for (int node : mesh.edges.at(motion.edge)) {
-      const Eigen::Vector3d force = step.reactions.segment<3>(3 * node);
-      const Eigen::Vector2d arm = mesh.nodes[node] + step.displacements.segment<2>(3 * node) - pivot;
+      const Eigen::Vector3d force = shape.reactions.segment<3>(3 * node);
+      const Eigen::Vector2d arm = mesh.nodes[node] + shape.displacements.segment<2>(3 * node) - pivot;
       step.edge_force_eV_per_A += force;
       step.edge_torque_eV += arm.x() * force.y() - arm.y() * force.x();
     }
@@ -178,23 +147,23 @@ class LoadPath {
     step.level = level;
     step.converged = at.converged;
     step.depth_A = record_.dot(transverse.head(mesh.node_count()));
-    step.conjugate_depth_A = model_.pattern().weights.dot(transverse);
+    step.conjugate_depth_A = drive_->conjugate_depth(end.u);
     step.force_eV_per_A = copies * at.force_eV_per_A;
     step.pressure_eV_per_A3 = model_.pressure_towards_tip();
     step.volume_A3 = -copies * model_.pressure().volume(end.u);
-    if (std::holds_alternative<PressureLoad>(problem_.load))
-      step.conjugate_depth_A = step.volume_A3 / (copies * mesh.area_A2());
     step.bending_energy_eV = copies * model_.bending_energy(end.u);
     step.energy_eV = copies * model_.stretching_energy(end.u) + step.bending_energy_eV;
     step.relative_residual = at.relative_residual;
-    step.residual_history = at.residual_history;
-    step.smallest_pivot_sign = at.smallest_pivot_sign;
     for (const Obstacle* obstacle : model_.obstacles())
       step.penetration_A = std::max(step.penetration_A, obstacle->penetration(end.u));
     step.rim_membrane_force_eV_per_A2 = rim_membrane_force(end.u);
     step.newton_iterations = iterations_;
-    step.displacements = end.u.head(3 * mesh.node_count());
-    add_reactions(step);
+    TriangleShape shape{.displacements = end.u.head(3 * mesh.node_count()),
+                        .reactions = {},
+                        .residual_history = at.residual_history,
+                        .smallest_pivot_sign = at.smallest_pivot_sign};
+    add_reactions(step, shape);
+    step.shape = std::move(shape);
     return step;
   }
 
@@ -209,9 +178,6 @@ class LoadPath {
 
 }  // namespace
 
-Report solve(const Problem& problem, const OnStep& on_step) {
-  check(problem);
-  return LoadPath(problem).follow(on_step);
-}
+Report follow_on_triangles(const Problem& problem, const OnStep& on_step) { return LoadPath(problem).follow(on_step); }
 
 }  // namespace membrane

@@ -80,6 +80,28 @@ struct MeshOf {
   }
 };
 
+struct SupportsOf {
+  using List = std::vector<std::pair<Edge, Support>>;
+  List operator()(const DiscSheet& s) const { return {{Edge::rim, s.rim}}; }
+  List operator()(const AnnulusSheet& s) const { return {{Edge::hub, s.hub}, {Edge::rim, s.rim}}; }
+  List operator()(const RectangleSheet& s) const {
+    if (s.extent == Extent::quarter) return {{Edge::right, s.right}, {Edge::top, s.top}};
+    return {{Edge::left, s.left}, {Edge::right, s.right}, {Edge::bottom, s.bottom}, {Edge::top, s.top}};
+  }
+};
+
+struct IsQuarter {
+  bool operator()(const DiscSheet& s) const { return s.extent == Extent::quarter; }
+  bool operator()(const AnnulusSheet&) const { return false; }
+  bool operator()(const RectangleSheet& s) const { return s.extent == Extent::quarter; }
+};
+
+struct InnerRadius {
+  double operator()(const DiscSheet& s) const { return s.radius_A; }
+  double operator()(const AnnulusSheet& s) const { return s.radius_A; }
+  double operator()(const RectangleSheet& s) const { return 0.5 * std::min(s.length_x_A, s.length_y_A); }
+};
+
 }  // namespace
 
 DiscSheet paper_disc(double radius_A) { return {.radius_A = radius_A, .rings = 44, .spacing = RingSpacing::uniform}; }
@@ -92,11 +114,10 @@ void check(const Sheet& sheet) { std::visit(Check{}, sheet); }
 
 Mesh make_mesh(const Sheet& sheet, const MeshDemand& demand) { return std::visit(MeshOf{demand}, sheet); }
 
-double inner_radius_A(const Sheet& sheet) {
-  if (const auto* rectangle = std::get_if<RectangleSheet>(&sheet))
-    return 0.5 * std::min(rectangle->length_x_A, rectangle->length_y_A);
-  if (const auto* disc = std::get_if<DiscSheet>(&sheet)) return disc->radius_A;
-  return std::get<AnnulusSheet>(sheet).radius_A;
-}
+std::vector<std::pair<Edge, Support>> supports_of(const Sheet& sheet) { return std::visit(SupportsOf{}, sheet); }
+
+bool is_quarter(const Sheet& sheet) { return std::visit(IsQuarter{}, sheet); }
+
+double inner_radius_A(const Sheet& sheet) { return std::visit(InnerRadius{}, sheet); }
 
 }  // namespace membrane

@@ -1,7 +1,9 @@
 // The shapes a sheet can have: plain data, and the mesh that belongs to them.
 #pragma once
 
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "membrane/sheets/mesh.hpp"
 
@@ -64,6 +66,12 @@ void check(const Sheet& sheet);
 /// The mesh of a sheet that check() accepts. Throws std::invalid_argument where rings are so thin that chords of one
 /// cross the next inside.
 Mesh make_mesh(const Sheet& sheet, const MeshDemand& demand = {});
+
+/// The edges of the part that is meshed, each with its support.
+std::vector<std::pair<Edge, Support>> supports_of(const Sheet& sheet);
+
+/// Whether a quarter between symmetry planes is meshed.
+bool is_quarter(const Sheet& sheet);
 
 /// Half the smallest extent, Å: how far out something that rests on the sheet may reach.
 double inner_radius_A(const Sheet& sheet);

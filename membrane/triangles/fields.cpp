@@ -31,14 +31,14 @@ SheetState add_triangle(const L& law, const Material& material, const Voigt& str
 
 }  // namespace
 
-SheetFields fields_of(const Problem& problem, const Mesh& mesh, const Step& step) {
+SheetFields fields_of(const Problem& problem, const Mesh& mesh, const Eigen::VectorXd& displacements) {
   const Material material = material_of(problem, mesh);
   SheetFields fields;
   double wrinkled = 0, slack = 0;
   std::visit(
       [&](const auto& law) {
         for (const Triangle& triangle : mesh.triangles) {
-          const SheetState state = add_triangle(law, material, strain_of(triangle, step.displacements), fields);
+          const SheetState state = add_triangle(law, material, strain_of(triangle, displacements), fields);
           if (state == SheetState::wrinkled) wrinkled += triangle.area_A2;
           if (state == SheetState::slack) slack += triangle.area_A2;
         }

@@ -22,7 +22,7 @@ struct SheetFields {
   double wrinkled_area_fraction = 0, slack_area_fraction = 0;  ///< of the reference area
 };
 
-/// Fields of a step of this problem; mesh is mesh_of(problem).
-SheetFields fields_of(const Problem& problem, const Mesh& mesh, const Step& step);
+/// Fields of this problem's sheet at a step's displacements; mesh is mesh_of(problem).
+SheetFields fields_of(const Problem& problem, const Mesh& mesh, const Eigen::VectorXd& displacements_A);
 
 }  // namespace membrane

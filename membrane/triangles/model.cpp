@@ -27,31 +27,33 @@ Voigt prestress_on_axes(const Problem& problem, const Mesh& mesh) {
   return {principal.smaller, principal.larger, 0};
 }
 
-struct RadiusOfLoad {
-  double operator()(const DiscLoad& disc) const { return disc.radius_A; }
-  double operator()(const RadialLoad& radial) const { return radial.radius_A.back(); }
-  double operator()(const SphereLoad& sphere) const { return likely_contact * sphere.radius_A; }
-  double operator()(const auto&) const { return 0; }
+/// What a mesh and its model want to know of a load.
+struct Traits {
+  double edge_A = 0;           ///< radius where it ends, or is likely to end; 0: nowhere
+  bool at_centre = false;      ///< it ends in the very centre
+  bool in_plane = false;       ///< leaves a sheet in its plane that nothing else pulls out of it
+  double sphere_radius_A = 0;  ///< 0: no sphere
 };
 
-/// Linear between the pairs of a RadialLoad.
-double density_at(const RadialLoad& load, double r) {
-  const auto above = std::lower_bound(load.radius_A.begin(), load.radius_A.end(), r) - load.radius_A.begin();
-  if (above == 0) return load.density.front();
-  if (above == static_cast<std::ptrdiff_t>(load.radius_A.size())) return load.density.back();
-  const double share = (r - load.radius_A[above - 1]) / (load.radius_A[above] - load.radius_A[above - 1]);
-  return (1 - share) * load.density[above - 1] + share * load.density[above];
-}
+struct TraitsOf {
+  Traits operator()(const CentreForce&) const { return {.at_centre = true}; }
+  Traits operator()(const SpreadForce& spread) const { return {.edge_A = spread.radius_A}; }
+  Traits operator()(const RigidSphere& sphere) const {
+    return {.edge_A = likely_contact * sphere.radius_A, .sphere_radius_A = sphere.radius_A};
+  }
+  Traits operator()(const FollowerPressure&) const { return {}; }
+  Traits operator()(const EdgeMotion& motion) const { return {.in_plane = motion.in_plane()}; }
+};
+
+Traits traits_of(const Load& load) { return std::visit(TraitsOf{}, action_of(load)); }
 
 struct PatternOf {
   const Mesh& mesh;
-  Pattern operator()(const PointLoad&) const { return {mean_on_circle(mesh, 0)}; }
-  Pattern operator()(const DiscLoad& disc) const { return disc_pattern(mesh, disc.radius_A); }
-  Pattern operator()(const RadialLoad& load) const {
-    return radial_pattern(mesh, load.radius_A.back(), [&](double r) { return density_at(load, r); });
-  }
-  Pattern operator()(const SphereLoad&) const { return point_pattern(mesh.node_count() + 1, mesh.node_count()); }
-  Pattern operator()(const auto&) const { return {Eigen::VectorXd::Zero(mesh.node_count())}; }
+  Pattern operator()(const CentreForce&) const { return {mean_on_circle(mesh, 0)}; }
+  Pattern operator()(const SpreadForce& load) const { return radial_pattern(mesh, load.radius_A, load.density); }
+  Pattern operator()(const RigidSphere&) const { return point_pattern(mesh.node_count() + 1, mesh.node_count()); }
+  Pattern operator()(const FollowerPressure&) const { return {Eigen::VectorXd::Zero(mesh.node_count())}; }
+  Pattern operator()(const EdgeMotion&) const { return {Eigen::VectorXd::Zero(mesh.node_count())}; }
 };
 
 bool may_cross_planes(const Problem& problem) {
@@ -82,24 +84,25 @@ Material material_of(const Problem& problem, const Mesh& mesh) {
   return {problem.law, offset, problem.relaxed};
 }
 
-double load_radius_A(const Load& load) { return std::visit(RadiusOfLoad{}, load); }
+double load_radius_A(const Load& load) { return traits_of(load).edge_A; }
 
 Mesh mesh_of(const Problem& problem) {
-  Mesh mesh = make_mesh(problem.sheet, {load_radius_A(problem.load), problem.record_radius_A, layer_A(problem),
-                                        std::holds_alternative<PointLoad>(problem.load)});
-  const auto* motion = std::get_if<EdgeMotion>(&problem.load);
-  const bool in_plane = motion && motion->translation_A.z() == 0 && problem.pressure_eV_per_A3 == 0;
-  if (in_plane)
+  const Traits load = traits_of(problem.load);
+  Mesh mesh = make_mesh(problem.sheet, {load.edge_A, problem.record_radius_A, layer_A(problem), load.at_centre});
+  if (load.in_plane && problem.pressure_eV_per_A3 == 0)
     for (auto& held : mesh.held) held[2] = true;  // nothing pulls it out of its plane
   return mesh;
 }
 
 Model::Model(const Problem& problem)
-    : mesh_(mesh_of(problem)), stretching_(mesh_, material_of(problem, mesh_)), pressure_(mesh_) {
+    : mesh_(mesh_of(problem)),
+      stretching_(mesh_, material_of(problem, mesh_)),
+      pressure_(mesh_),
+      sphere_radius_A_(traits_of(problem.load).sphere_radius_A) {
   const double stiffness = contact_stiffness * sheet_modulus(problem.law);
   std::vector<EnergyTerm*> terms{&stretching_, &pressure_};
-  if (const auto* sphere = std::get_if<SphereLoad>(&problem.load)) {
-    sphere_ = std::make_unique<SphereObstacle>(mesh_, sphere->radius_A, stiffness);
+  if (sphere_radius_A_ > 0) {
+    sphere_ = std::make_unique<SphereObstacle>(mesh_, sphere_radius_A_, stiffness);
     obstacles_.push_back(sphere_.get());
   }
   if (problem.bending) {
@@ -112,7 +115,7 @@ Model::Model(const Problem& problem)
   }
   terms.insert(terms.end(), obstacles_.begin(), obstacles_.end());
   energy_ = std::make_unique<TotalEnergy>(all_held(mesh_, sphere_ != nullptr, bending_.get()), terms);
-  pattern_ = std::visit(PatternOf{mesh_}, problem.load).padded(energy_->dof_count() / 3);
+  pattern_ = std::visit(PatternOf{mesh_}, action_of(problem.load)).padded(energy_->dof_count() / 3);
 }
 
 void Model::move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const {
@@ -138,12 +141,13 @@ void Model::park_indenter(Eigen::VectorXd& u) const {
   if (sphere_) u[indenter_dof()] = 2 * mesh_.rings.back().radius_A;
 }
 
-void Model::clear_sphere(const SphereLoad& sphere, Eigen::VectorXd& u) const {
+void Model::clear_sphere(Eigen::VectorXd& u) const {
+  if (!sphere_) return;
   const double lowest = u[indenter_dof()];
   for (int n = 0; n < mesh_.node_count(); ++n) {
     const double r = (mesh_.nodes[n] + u.segment<2>(3 * n)).norm();
-    if (r >= sphere.radius_A || mesh_.held[n][2]) continue;
-    const double surface = lowest + sphere.radius_A - std::sqrt(sphere.radius_A * sphere.radius_A - r * r);
+    if (r >= sphere_radius_A_ || mesh_.held[n][2]) continue;
+    const double surface = lowest + sphere_radius_A_ - std::sqrt(sphere_radius_A_ * sphere_radius_A_ - r * r);
     u[3 * n + 2] = std::min(u[3 * n + 2], surface);
   }
 }

@@ -37,6 +37,9 @@ class Model {
     return -u.reshaped(3, u.size() / 3).row(2).transpose();
   }
 
+  /// A sphere presses the sheet: its node is the last but those that carry rotations.
+  bool has_sphere() const { return sphere_ != nullptr; }
+
   /// Pressure towards −z, eV/Å³.
   void set_pressure(double value) { pressure_.set(-value); }
   double pressure_towards_tip() const { return -pressure_.value(); }
@@ -53,11 +56,11 @@ class Model {
   /// Puts the nodes of a moved edge where the level wants them.
   void move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const;
 
-  /// Puts a sphere where no bulge reaches it.
+  /// Puts a sphere, if there is one, where no bulge reaches it.
   void park_indenter(Eigen::VectorXd& u) const;
 
-  /// Lowers the nodes that a sphere at its place in u has inside to its surface.
-  void clear_sphere(const SphereLoad& sphere, Eigen::VectorXd& u) const;
+  /// Lowers the nodes that a sphere at its place in u, if there is one, has inside to its surface.
+  void clear_sphere(Eigen::VectorXd& u) const;
 
  private:
   Mesh mesh_;
@@ -65,6 +68,7 @@ class Model {
   Pressure pressure_;
   std::unique_ptr<BendingTerm> bending_;
   std::unique_ptr<SphereObstacle> sphere_;
+  double sphere_radius_A_ = 0;
   std::unique_ptr<MirrorPlanes> planes_;
   std::vector<Obstacle*> obstacles_;
   std::unique_ptr<TotalEnergy> energy_;

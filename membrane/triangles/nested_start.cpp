@@ -16,7 +16,7 @@ std::optional<Eigen::VectorXd> guess_from_coarser(const Problem& problem, double
   coarse_problem.levels = {value};
   std::optional<Eigen::VectorXd> guess;
   solve(coarse_problem, [&](const Step& step) {
-    if (step.converged) guess = interpolate(coarse, step.displacements, *fine);
+    if (step.converged) guess = interpolate(coarse, step.on_triangles().displacements, *fine);
     return true;
   });
   return guess;

@@ -25,7 +25,7 @@ bool keeps_pace(double residual, double before, double tolerance, int steps) {
 
 }  // namespace
 
-Newton::Newton(TotalEnergy& energy, Eigen::VectorXd direction, SolverOptions options)
+Newton::Newton(TotalEnergy& energy, Eigen::VectorXd direction, Triangles options)
     : total_(energy), options_(options), direction_(std::move(direction)) {
   total_.release_held(direction_);
 }

@@ -59,7 +59,7 @@ class Newton {
  public:
   /// direction: dd/du of the load pattern (Pattern::direction); zero where energies or supports are all that loads the
   /// sheet: the residual is then measured by the supports' forces.
-  Newton(TotalEnergy& energy, Eigen::VectorXd direction, SolverOptions options);
+  Newton(TotalEnergy& energy, Eigen::VectorXd direction, Triangles options);
 
   /// Improves u in place. It has the target's depth (with conjugate depth control) and its held components already.
   Equilibrium solve(const Target& target, Eigen::VectorXd& u, FirstFactor first = FirstFactor::fresh);
@@ -84,7 +84,7 @@ class Newton {
   void follow_curve(const Target& target, const Eigen::VectorXd& u);
 
   TotalEnergy& total_;
-  SolverOptions options_;
+  Triangles options_;
   Factor factor_;
   Eigen::VectorXd direction_;  ///< of the load, zero where held
   Eigen::VectorXd response_;   ///< K⁻¹ direction, with the factor kept

@@ -6,7 +6,7 @@
 
 #include "round_sheet.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 using namespace testing;
@@ -17,38 +17,38 @@ using std::numbers::pi;
 // art. 19).
 TEST(AxisymmetricPlate, SmallDeflections) {
   const double kappa = 0.966;
-  const SheetStep point = run(plate_problem(PointLoad{}, {1e-4}))[0];
+  const Step point = run(plate_problem(PointLoad{}, {1e-4}))[0];
   EXPECT_NEAR(point.force_eV_per_A / (16 * pi * kappa * 1e-4 / (a * a)), 1, 1e-5);
   EXPECT_NEAR(point.bending_energy_eV / point.energy_eV, 1, 1e-5);
   for (double c : {3.0, 10.0, 55.0, a}) {
-    const SheetStep disc = run(plate_problem(DiscLoad{c}, {1e-4}))[0];
+    const Step disc = run(plate_problem(DiscLoad{c}, {1e-4}))[0];
     const double exact =
         disc.force_eV_per_A * (4 * a * a - 4 * c * c * std::log(a / c) - 3 * c * c) / (64 * pi * kappa);
     EXPECT_NEAR(disc.depth_A / exact, 1, 2e-6) << c;
   }
-  SheetProblem bulge = plate_problem(PressureLoad{}, {1e-12});
-  const SheetStep pressed = run(bulge)[0];
+  Problem bulge = plate_problem(PressureLoad{}, {1e-12});
+  const Step pressed = run(bulge)[0];
   EXPECT_NEAR(pressed.depth_A / (1e-12 * std::pow(a, 4) / (64 * kappa)), 1, 1e-6);
 }
 
 TEST(AxisymmetricPlate, ConvergesAndNeedsFewFactorisations) {
   std::vector<double> depths;
   for (int i = 1; i <= 15; ++i) depths.push_back(2 * i);
-  SheetProblem problem = plate_problem(DiscLoad{10}, depths);
-  SheetReport report;
+  Problem problem = plate_problem(DiscLoad{10}, depths);
+  Report report;
   const auto coarse = run(problem, &report);
   EXPECT_LE(report.factorisations, 60);
   EXPECT_LE(report.elements, 60);
-  problem.refinement = 4;
+  refine(problem, 4);
   const auto fine = run(problem);
   for (std::size_t i = 0; i < fine.size(); ++i)
     EXPECT_NEAR(coarse[i].force_eV_per_A / fine[i].force_eV_per_A, 1, 1e-5) << depths[i];
   // Fourth order: the error falls by 16 where elements are half as long.
   const auto error = [&](double refinement) {
-    problem.refinement = refinement;
+    refine(problem, refinement);
     problem.levels = {10};
     const double force = run(problem)[0].force_eV_per_A;
-    problem.refinement = 8;
+    refine(problem, 8);
     return std::abs(force - run(problem)[0].force_eV_per_A);
   };
   EXPECT_GT(error(1) / error(2), 10);
@@ -70,10 +70,10 @@ TEST(AxisymmetricPlate, VonKarmanFromPlateToMembrane) {
                                                           {1e-6, 1e-4, 0, 0.0409292893},
                                                           {1e-6, 1e-2, 0, 0.1940357302},
                                                           {1e-5, 1e-4, 1e-3, 0.02375885916}}) {
-    SheetProblem problem = plate_problem(DiscLoad{a / 11}, {force * modulus * a * std::pow(scale, 3)});
+    Problem problem = plate_problem(DiscLoad{a / 11}, {force * modulus * a * std::pow(scale, 3)});
     problem.law = StVenantKirchhoff{modulus, 0.19};
-    problem.bending_modulus_eV = bending * modulus * a * a * scale * scale;
-    problem.pretension_eV_per_A2 = pretension * modulus * scale * scale;
+    problem.bending = clamped_all_round_if_any(bending * modulus * a * a * scale * scale);
+    problem.prestress_eV_per_A2 = pretension * modulus * scale * scale * Eigen::Matrix2d::Identity();
     problem.control = Control::force;
     EXPECT_NEAR(run(problem)[0].depth_A / (a * scale * depth), 1, 1e-6) << bending << ", " << force;
   }
@@ -81,9 +81,9 @@ TEST(AxisymmetricPlate, VonKarmanFromPlateToMembrane) {
 
 // Deep under the load bending no longer matters: the plate's force comes down to the membrane's.
 TEST(AxisymmetricPlate, GoesOverIntoTheMembrane) {
-  SheetProblem plate = plate_problem(DiscLoad{10}, {0.5, 5, 30});
+  Problem plate = plate_problem(DiscLoad{10}, {0.5, 5, 30});
   const auto stiff = run(plate);
-  plate.bending_modulus_eV = 0;
+  plate.bending.reset();
   const auto soft = run(plate);
   std::vector<double> excess;
   for (std::size_t i = 0; i < stiff.size(); ++i) excess.push_back(stiff[i].force_eV_per_A / soft[i].force_eV_per_A - 1);
@@ -94,4 +94,4 @@ TEST(AxisymmetricPlate, GoesOverIntoTheMembrane) {
 }
 
 }  // namespace
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -12,7 +12,7 @@
 #include "states.hpp"
 #include "taylor.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 using membrane::testing::expect_order;
@@ -112,11 +112,11 @@ TEST(AxisymmetricTerm, BendingDoesNotSeeHowTheMeridianIsParametrised) {
 }
 
 TEST(AxisymmetricTerm, VolumeOfAConeAndASphericalCap) {
-  SheetProblem problem;
-  problem.radius_A = 10;
+  Problem problem;
+  problem.sheet = DiscSheet{10};
   problem.law = StVenantKirchhoff{8, 0.2};
   problem.load = PressureLoad{};
-  problem.refinement = 4;
+  problem.discretisation = Meridian{.refinement = 4};
   Assembly assembly = assembly_of(problem);
   const auto volume = [&](auto depth, auto slope) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(assembly.dof_count());
@@ -136,12 +136,13 @@ TEST(AxisymmetricTerm, VolumeOfAConeAndASphericalCap) {
 
 TEST(AxisymmetricAssembly, GradientAndHessianAreThoseOfTheEnergy) {
   Random random;
-  SheetProblem problem;
-  problem.radius_A = 30;
+  Problem problem;
+  problem.discretisation = Meridian{};
+  problem.sheet = DiscSheet{30};
   problem.law = membrane::testing::some_lattice();
   problem.relaxed = false;
-  problem.bending_modulus_eV = 0.966;
-  problem.pretension_eV_per_A2 = 0.05;
+  problem.bending = clamped_all_round(0.966);
+  problem.prestress_eV_per_A2 = 0.05 * Eigen::Matrix2d::Identity();
   problem.pressure_eV_per_A3 = 1e-3;
   problem.load = SphereLoad{10};
   Assembly assembly = assembly_of(problem);
@@ -213,4 +214,4 @@ TEST(AxisymmetricMesh, FollowsItsFoci) {
 }
 
 }  // namespace
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

@@ -8,14 +8,14 @@
 #include "round_sheet.hpp"
 #include "states.hpp"
 
-namespace membrane::axisymmetric {
+namespace membrane::meridian {
 namespace {
 
 using namespace testing;
 using std::numbers::pi;
 
 /// dE/dx of neighbouring levels by central differences.
-double slope(const std::vector<SheetStep>& steps, double SheetStep::*along) {
+double slope(const std::vector<Step>& steps, double Step::*along) {
   return (steps[2].energy_eV - steps[0].energy_eV) / (steps[2].*along - steps[0].*along);
 }
 
@@ -24,16 +24,16 @@ double slope(const std::vector<SheetStep>& steps, double SheetStep::*along) {
 TEST(AxisymmetricSheet, ALawThatSoftensFindsItsSphere) {
   for (double tip : {3.63, 5.5, 22.0, 55.0})
     for (double kappa : {0.0, 1.0}) {
-      SheetProblem problem = membrane_problem(0, SphereLoad{tip}, {2.2, 6.6, 11, 15.4, 19.8, 22});
+      Problem problem = membrane_problem(0, SphereLoad{tip}, {2.2, 6.6, 11, 15.4, 19.8, 22});
       problem.law = LeeGraphene{21.35, 0.165};
       problem.relaxed = kappa == 0;
-      problem.bending_modulus_eV = kappa;
+      problem.bending = clamped_all_round_if_any(kappa);
       const auto steps = run(problem);
       ASSERT_EQ(steps.size(), 6u);
-      for (const SheetStep& step : steps) {
+      for (const Step& step : steps) {
         EXPECT_TRUE(step.converged) << tip << ' ' << kappa;
-        EXPECT_NEAR(step.rim_reaction_eV_per_A / step.force_eV_per_A, 1, 1e-6);
-        EXPECT_LT(step.points.front().radial_strain, tip < 22 ? 0.16 : 0.1);
+        EXPECT_NEAR(step.support_force_eV_per_A.z() / step.force_eV_per_A, 1, 1e-6);
+        EXPECT_LT(step.on_meridian().front().radial_strain, tip < 22 ? 0.16 : 0.1);
       }
     }
 }
@@ -43,32 +43,32 @@ TEST(AxisymmetricSheet, ForceIsTheSlopeOfTheEnergyForEveryLawAndLoad) {
     if (!is_isotropic(law)) return;
     for (const Load& load : {Load(DiscLoad{10}), Load(SphereLoad{20})})
       for (double kappa : {0.0, 1.0}) {
-        SheetProblem problem = membrane_problem(0, load, {9.999, 10, 10.001});
+        Problem problem = membrane_problem(0, load, {9.999, 10, 10.001});
         problem.law = law;
         problem.relaxed = kappa == 0;
-        problem.bending_modulus_eV = kappa;
-        problem.pretension_eV_per_A2 = 0.02;
-        problem.refinement = 0.5;
+        problem.bending = clamped_all_round_if_any(kappa);
+        problem.prestress_eV_per_A2 = 0.02 * Eigen::Matrix2d::Identity();
+        refine(problem, 0.5);
         const auto steps = run(problem);
-        EXPECT_NEAR(slope(steps, &SheetStep::conjugate_depth_A) / steps[1].force_eV_per_A, 1, 1e-5);
+        EXPECT_NEAR(slope(steps, &Step::conjugate_depth_A) / steps[1].force_eV_per_A, 1, 1e-5);
       }
-    SheetProblem bulge = membrane_problem(0, PressureLoad{}, {0.9999e-3, 1e-3, 1.0001e-3});
+    Problem bulge = membrane_problem(0, PressureLoad{}, {0.9999e-3, 1e-3, 1.0001e-3});
     bulge.law = law;
-    EXPECT_NEAR(slope(run(bulge), &SheetStep::volume_A3) / 1e-3, 1, 1e-5);
+    EXPECT_NEAR(slope(run(bulge), &Step::volume_A3) / 1e-3, 1, 1e-5);
   });
 }
 
 TEST(AxisymmetricSheet, IndentationOnTopOfPressure) {
   // Pressure from below stiffens: it is a tension. d counts from the flat sheet.
-  SheetProblem problem = membrane_problem(0.2, DiscLoad{10}, {2, 4, 6, 5.999, 6.001});
+  Problem problem = membrane_problem(0.2, DiscLoad{10}, {2, 4, 6, 5.999, 6.001});
   const double without = run(problem)[2].force_eV_per_A;
   problem.pressure_eV_per_A3 = -2e-4;
   const auto steps = run(problem);
   EXPECT_GT(steps[2].force_eV_per_A, 2 * without);
-  const auto potential = [](const SheetStep& step) { return step.energy_eV + 2e-4 * step.volume_A3; };
+  const auto potential = [](const Step& step) { return step.energy_eV + 2e-4 * step.volume_A3; };
   EXPECT_NEAR((potential(steps[4]) - potential(steps[3])) / 0.002 / steps[2].force_eV_per_A, 1, 1e-5);
   // The rim bears both.
-  EXPECT_NEAR(steps[2].rim_reaction_eV_per_A, steps[2].force_eV_per_A - 2e-4 * pi * a * a, 1e-8);
+  EXPECT_NEAR(steps[2].support_force_eV_per_A.z(), steps[2].force_eV_per_A - 2e-4 * pi * a * a, 1e-8);
 }
 
 CauchyBorn airebo() {
@@ -88,11 +88,12 @@ CauchyBorn airebo() {
 // eV/Å, computed separately). St Venant–Kirchhoff instead is 1.6 and 8 % off.
 TEST(AxisymmetricSheet, CalibratedLawWithBendingIsWhatTheAtomsDo) {
   const double bond = 2.41924328 / std::sqrt(3.0);
-  SheetProblem problem;
-  problem.radius_A = 110 + 0.75 * bond;
+  Problem problem;
+  problem.discretisation = Meridian{};
+  problem.sheet = DiscSheet{110 + 0.75 * bond};
   problem.law = airebo();
   problem.relaxed = false;
-  problem.bending_modulus_eV = 0.967;
+  problem.bending = clamped_all_round(0.967);
   problem.load = DiscLoad{std::sqrt(126 * std::sqrt(3.0) / 4 / pi) * 2.41924328};
   problem.record_radius_A = bond;
   problem.control = Control::force;
@@ -110,13 +111,13 @@ TEST(AxisymmetricSheet, CalibratedLawWithBendingIsWhatTheAtomsDo) {
 
 TEST(AxisymmetricSheet, WrinkledRimOfANegativePoissonRatio) {
   // The membrane's hoops go slack near the rim; relaxed it gives way, so it is softer.
-  SheetProblem problem = membrane_problem(-0.158, DiscLoad{10}, {20});
-  const SheetStep relaxed = run(problem)[0];
+  Problem problem = membrane_problem(-0.158, DiscLoad{10}, {20});
+  const Step relaxed = run(problem)[0];
   problem.relaxed = false;
-  const SheetStep bare = run(problem)[0];
+  const Step bare = run(problem)[0];
   EXPECT_LT(relaxed.force_eV_per_A, bare.force_eV_per_A);
   double first_wrinkled = a;
-  for (const SheetPoint& point : relaxed.points) {
+  for (const MeridianPoint& point : relaxed.on_meridian()) {
     EXPECT_GE(point.hoop_force_eV_per_A2, 0);
     if (point.hoop_force_eV_per_A2 == 0) first_wrinkled = std::min(first_wrinkled, point.radius_A);
   }
@@ -124,9 +125,9 @@ TEST(AxisymmetricSheet, WrinkledRimOfANegativePoissonRatio) {
 }
 
 TEST(AxisymmetricSheet, BadProblemsAreRefusedByName) {
-  const SheetProblem good = plate_problem(DiscLoad{10}, {1});
+  const Problem good = plate_problem(DiscLoad{10}, {1});
   const auto expect_refused = [&](auto spoil, const std::string& name) {
-    SheetProblem problem = good;
+    Problem problem = good;
     spoil(problem);
     try {
       check(problem);
@@ -137,36 +138,57 @@ TEST(AxisymmetricSheet, BadProblemsAreRefusedByName) {
   };
   const double nan = std::nan("");
   EXPECT_NO_THROW(check(good));
-  expect_refused([](SheetProblem& p) { p.radius_A = 0; }, "radius_A");
-  expect_refused([](SheetProblem& p) { p.law = StVenantKirchhoff{8, 1}; }, "law.nu");
-  expect_refused([&](SheetProblem& p) { p.bending_modulus_eV = nan; }, "bending_modulus_eV");
-  expect_refused([](SheetProblem& p) { p.relaxed = true; }, "relaxed");
-  expect_refused([&](SheetProblem& p) { p.pretension_eV_per_A2 = nan; }, "pretension");
-  expect_refused([](SheetProblem& p) { p.record_radius_A = 111; }, "record_radius_A");
-  expect_refused([](SheetProblem& p) { p.refinement = 0; }, "refinement");
-  expect_refused([](SheetProblem& p) { p.load = DiscLoad{111}; }, "load.radius_A");
-  expect_refused([](SheetProblem& p) { p.load = SphereLoad{-1}; }, "load.radius_A");
-  expect_refused([](SheetProblem& p) { p.load = ProfileLoad{5, {}}; }, "load.density");
-  expect_refused([](SheetProblem& p) { p.levels = {}; }, "levels");
-  expect_refused([](SheetProblem& p) { p.levels = {1, -1}; }, "levels");
+  expect_refused([](Problem& p) { p.sheet = DiscSheet{0}; }, "sheet.radius_A");
+  expect_refused([](Problem& p) { p.law = StVenantKirchhoff{8, 1}; }, "law.nu");
+  expect_refused([&](Problem& p) { p.bending = clamped_all_round_if_any(nan); }, "bending.mean_eV");
+  expect_refused([](Problem& p) { p.relaxed = true; }, "relaxed");
+  expect_refused([&](Problem& p) { p.prestress_eV_per_A2(0, 0) = nan; }, "prestress_eV_per_A2");
+  expect_refused([](Problem& p) { p.record_radius_A = 111; }, "record_radius_A");
+  expect_refused([](Problem& p) { refine(p, 0); }, "discretisation.refinement");
+  expect_refused([](Problem& p) { p.load = DiscLoad{111}; }, "load.radius_A");
+  expect_refused([](Problem& p) { p.load = SphereLoad{-1}; }, "load.radius_A");
+  expect_refused([](Problem& p) { p.load = RadialLoad{{0, 5}, {}}; }, "load.density");
+  expect_refused([](Problem& p) { p.levels = {}; }, "levels");
+  expect_refused([](Problem& p) { p.levels = {1, -1}; }, "levels");
   expect_refused(
-      [](SheetProblem& p) {
+      [](Problem& p) {
         p.load = PressureLoad{};
+        p.control = Control::force;
         p.pressure_eV_per_A3 = 1e-3;
       },
       "pressure_eV_per_A3");
   expect_refused(
-      [](SheetProblem& p) {
+      [](Problem& p) {
         p.control = Control::force;
         p.pressure_eV_per_A3 = 1e-3;
       },
       "control");
-  expect_refused([](SheetProblem& p) { p.law = CauchyBornSixfold{17, 0.2, 0, {}}; }, "law");
-  SheetProblem crushed = good;
+  expect_refused([](Problem& p) { p.law = CauchyBornSixfold{17, 0.2, 0, {}}; }, "law");
+  // What a meridian cannot do, and triangles can.
+  expect_refused(
+      [](Problem& p) {
+        p.sheet = AnnulusSheet{20, 110};
+        p.load = EdgeMotion{.translation_A = {0, 0, 1}};
+      },
+      "sheet = an annulus");
+  expect_refused([](Problem& p) { p.sheet = RectangleSheet{40, 40}; }, "sheet = a rectangle");
+  expect_refused([](Problem& p) { p.sheet = DiscSheet{.radius_A = a, .rings = 44}; }, "sheet.rings");
+  expect_refused([](Problem& p) { p.sheet = DiscSheet{.radius_A = a, .spacing = RingSpacing::uniform}; },
+                 "sheet.spacing");
+  expect_refused([](Problem& p) { p.sheet = DiscSheet{.radius_A = a, .rim = Support::sliding}; }, "sheet.rim");
+  expect_refused([](Problem& p) { p.prestress_eV_per_A2 = Eigen::Vector2d(1, 2).asDiagonal(); }, "prestress_eV_per_A2");
+  expect_refused([](Problem& p) { p.load = PressureLoad{}; }, "control");
+  expect_refused(
+      [](Problem& p) {
+        p.sheet = DiscSheet{.radius_A = a, .extent = Extent::full};
+        p.load = EdgeMotion{.edge = Edge::rim, .translation_A = {0, 0, 1}};
+      },
+      "load = a moved edge");
+  Problem crushed = good;
   crushed.law = LeeGraphene{17, 0.2};
-  crushed.pretension_eV_per_A2 = 50;
-  EXPECT_THROW(solve(crushed, [](const SheetStep&) { return true; }), std::invalid_argument);
+  crushed.prestress_eV_per_A2 = 50 * Eigen::Matrix2d::Identity();
+  EXPECT_THROW(solve(crushed, [](const Step&) { return true; }), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace membrane::axisymmetric
+}  // namespace membrane::meridian

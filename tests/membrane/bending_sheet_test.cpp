@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "membrane/bending/bending.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 #include "plate_meshes.hpp"
 #include "plate_solver.hpp"
 
@@ -105,16 +105,17 @@ TEST(BendingSheet, CrossoverFromPlateToMembrane) {
   const StVenantKirchhoff law{20, 0.3};
   const double kappa = 0.01;
   const double force = 0.008;
-  axisymmetric::SheetProblem problem;
-  problem.radius_A = a;
+  Problem problem;
+  problem.discretisation = Meridian{};
+  problem.sheet = DiscSheet{a};
   problem.law = law;
   problem.relaxed = false;
-  problem.bending_modulus_eV = kappa;
-  problem.load = axisymmetric::DiscLoad{c};
-  problem.control = axisymmetric::Control::force;
+  problem.bending = clamped_all_round(kappa);
+  problem.load = DiscLoad{c};
+  problem.control = Control::force;
   problem.levels = {force};
   double exact = 0;
-  axisymmetric::solve(problem, [&](const axisymmetric::SheetStep& step) {
+  solve(problem, [&](const Step& step) {
     EXPECT_GT(step.bending_energy_eV, 0.3 * step.energy_eV);
     EXPECT_LT(step.bending_energy_eV, 0.7 * step.energy_eV);
     exact = step.depth_A;

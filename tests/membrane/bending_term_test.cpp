@@ -6,7 +6,7 @@
 
 #include "membrane/bending/term.hpp"
 #include "membrane/loads/pattern.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 #include "membrane/sheets/sheet.hpp"
 #include "membrane/terms/stretching.hpp"
 #include "membrane/triangles/newton.hpp"
@@ -33,7 +33,7 @@ struct BentDisc {
         stretching(mesh, {law, Voigt::Zero(), false}),
         bending(mesh, clamped_all_round(kappa), mesh.node_count()),
         total(all_held(), {&stretching, &bending}),
-        pattern(disc_pattern(mesh, c)) {}
+        pattern(radial_pattern(mesh, c, [](double) { return 1.0; })) {}
 
   Held all_held() const {
     Held held = mesh.held;
@@ -82,14 +82,15 @@ TEST(BendingTerm, HessianIsThatOfTheEnergy) {
 TEST(BendingTerm, DiscIsTheOneDimensionalSheet) {
   const std::vector<double> depths{0.01, 4, 8, 16};
   std::vector<double> exact;
-  axisymmetric::SheetProblem problem;
-  problem.radius_A = a;
+  Problem problem;
+  problem.discretisation = Meridian{};
+  problem.sheet = DiscSheet{a};
   problem.law = law;
   problem.relaxed = false;
-  problem.bending_modulus_eV = kappa;
-  problem.load = axisymmetric::DiscLoad{c};
+  problem.bending = clamped_all_round(kappa);
+  problem.load = DiscLoad{c};
   problem.levels = depths;
-  axisymmetric::solve(problem, [&](const axisymmetric::SheetStep& step) {
+  solve(problem, [&](const Step& step) {
     exact.push_back(step.force_eV_per_A);
     return true;
   });

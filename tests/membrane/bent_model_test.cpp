@@ -7,7 +7,6 @@
 #include <numbers>
 #include <sstream>
 
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/problem.hpp"
 #include "membrane/triangles/model.hpp"
 #include "taylor.hpp"
@@ -16,7 +15,6 @@ namespace membrane::testing {
 namespace {
 
 using std::numbers::pi;
-namespace round = axisymmetric;
 
 /// Coefficients of data/airebo_law.csv, see data/README.md.
 CauchyBorn airebo() {
@@ -54,16 +52,9 @@ Problem bent_sheet(Load load, std::vector<double> levels) {
   return problem;
 }
 
-round::SheetProblem its_twin(const Problem& problem, round::Load load) {
-  round::SheetProblem twin;
-  twin.radius_A = a;
-  twin.law = problem.law;
-  twin.relaxed = false;
-  twin.bending_modulus_eV = kappa;
-  twin.load = std::move(load);
-  twin.levels = problem.levels;
-  twin.record_radius_A = bond;
-  return twin;
+Problem its_twin(Problem problem) {
+  problem.discretisation = Meridian{};
+  return problem;
 }
 
 std::vector<Step> run(const Problem& problem) {
@@ -73,25 +64,15 @@ std::vector<Step> run(const Problem& problem) {
     return true;
   });
   EXPECT_TRUE(report.converged) << report.reason;
-  std::cout << report.triangles << " triangles, " << steps.size() << " levels: " << report.factorisations
+  std::cout << report.elements << " elements, " << steps.size() << " levels: " << report.factorisations
             << " factorisations, " << report.cuts.size() << " cuts\n";
   for (const auto& cut : report.cuts) std::cout << "  " << cut << '\n';
   return steps;
 }
 
-std::vector<round::SheetStep> run(const round::SheetProblem& problem) {
-  std::vector<round::SheetStep> steps;
-  const round::SheetReport report = round::solve(problem, [&](const round::SheetStep& step) {
-    steps.push_back(step);
-    return true;
-  });
-  EXPECT_TRUE(report.converged) << report.reason;
-  return steps;
-}
-
-void expect_same_forces(const Problem& problem, round::Load load, double tolerance) {
+void expect_same_forces(const Problem& problem, double tolerance) {
   const auto steps = run(problem);
-  const auto twins = run(its_twin(problem, std::move(load)));
+  const auto twins = run(its_twin(problem));
   ASSERT_EQ(steps.size(), twins.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double excess = steps[i].force_eV_per_A / twins[i].force_eV_per_A - 1;
@@ -108,17 +89,15 @@ void expect_same_forces(const Problem& problem, round::Load load, double toleran
 
 // From bending alone (depth/R = 0.005) to where AIREBO's bonds reach their switch (0.29).
 TEST(BentSheet, UnderADiscIsTheOneDimensionalSheet) {
-  expect_same_forces(bent_sheet(DiscLoad{c}, {0.5, 2, 4, 8, 12, 16, 20, 24, 28, 32}), round::DiscLoad{c}, 1.5e-3);
+  expect_same_forces(bent_sheet(DiscLoad{c}, {0.5, 2, 4, 8, 12, 16, 20, 24, 28, 32}), 1.5e-3);
 }
 
-TEST(BentSheet, UnderAPointIsTheOneDimensionalSheet) {
-  expect_same_forces(bent_sheet(PointLoad{}, {1, 4, 8}), round::PointLoad{}, 0.003);
-}
+TEST(BentSheet, UnderAPointIsTheOneDimensionalSheet) { expect_same_forces(bent_sheet(PointLoad{}, {1, 4, 8}), 0.003); }
 
 // Contact ends somewhere within a ring, which at 4 Å is a third of its radius.
 TEST(BentSheet, UnderASphereIsTheOneDimensionalSheet) {
   Problem problem = bent_sheet(SphereLoad{30}, {4, 8, 16});
-  expect_same_forces(problem, round::SphereLoad{30}, 0.01);
+  expect_same_forces(problem, 0.01);
 }
 
 // At 5e-3 eV/Å³ the rim's layer is 0.7 Å, half a ring: the volume errs by 0.6 %, and by 0.1 % with 144 rings.
@@ -126,7 +105,7 @@ TEST(BentSheet, UnderPressureIsTheOneDimensionalSheet) {
   Problem problem = bent_sheet(PressureLoad{}, {1e-5, 1e-4, 1e-3, 5e-3});
   problem.control = Control::force;
   const auto steps = run(problem);
-  const auto twins = run(its_twin(problem, round::PressureLoad{}));
+  const auto twins = run(its_twin(problem));
   ASSERT_EQ(steps.size(), twins.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
     std::cout << "pressure " << problem.levels[i] << ": " << steps[i].depth_A / twins[i].depth_A - 1 << '\n';

@@ -194,7 +194,7 @@ TEST(Path, IsDoneInFewFactorisations) {
   problem.levels.push_back(24.2);
   const Report report = solve(problem, [](const Step&) { return true; });
   EXPECT_TRUE(report.converged);
-  EXPECT_EQ(report.triangles, 72 * 72);
+  EXPECT_EQ(report.elements, 72 * 72);
   EXPECT_LE(report.factorisations, 26);
 }
 

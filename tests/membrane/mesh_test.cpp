@@ -89,7 +89,8 @@ TEST(MeanOnCircle, CountsNodesOnThePlanesHalf) {
 
 TEST(Pattern, HasUnitTotalAndNoNegativeWeight) {
   const Mesh mesh = disc_for(10);
-  for (const Pattern& pattern : {Pattern{mean_on_circle(mesh, 0)}, disc_pattern(mesh, 10)}) {
+  for (const Pattern& pattern :
+       {Pattern{mean_on_circle(mesh, 0)}, radial_pattern(mesh, 10, [](double) { return 1.0; })}) {
     EXPECT_NEAR(pattern.weights.sum(), 1, 1e-14);
     EXPECT_GE(pattern.weights.minCoeff(), 0);
   }
@@ -97,7 +98,7 @@ TEST(Pattern, HasUnitTotalAndNoNegativeWeight) {
 
 TEST(Pattern, DiscEndsAtItsEdge) {
   const Mesh mesh = disc_for(10);
-  const Pattern pattern = disc_pattern(mesh, 10);
+  const Pattern pattern = radial_pattern(mesh, 10, [](double) { return 1.0; });
   double second_moment = 0;
   for (int n = 0; n < mesh.node_count(); ++n) {
     if (mesh.nodes[n].norm() > 10 * (1 + 1e-12)) {
@@ -112,7 +113,7 @@ TEST(Pattern, ConjugateDepthOfARigidShiftIsTheShift) {
   const Mesh mesh = disc_for(10);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * mesh.node_count());
   for (int n = 0; n < mesh.node_count(); ++n) u[3 * n + 2] = -3;
-  EXPECT_NEAR(disc_pattern(mesh, 10).direction().dot(u), 3, 1e-13);
+  EXPECT_NEAR(radial_pattern(mesh, 10, [](double) { return 1.0; }).direction().dot(u), 3, 1e-13);
 }
 
 TEST(Mesh, RefusesTurnedTriangles) {

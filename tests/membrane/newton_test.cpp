@@ -25,7 +25,7 @@ class Sheet : public ::testing::Test {
   const Problem problem_ = problem();
   Model model_{problem_};
   const Eigen::VectorXd direction_ = model_.pattern().direction();
-  Newton newton_{model_.energy(), direction_, problem_.solver};
+  Newton newton_{model_.energy(), direction_, std::get<Triangles>(problem_.discretisation)};
 
   Eigen::VectorXd start(double depth) {
     const Eigen::VectorXd shape = StiffenedSheet(model_, newton_).under_forces(direction_);
@@ -57,8 +57,7 @@ TEST_F(Sheet, AmplitudeBalancesTheLoad) {
 
 TEST_F(Sheet, EndsQuadratically) {
   Problem p = problem_;
-  p.solver = {.relative_residual = 1e-12, .keep_factor = false};
-  Newton newton(model_.energy(), direction_, p.solver);
+  Newton newton(model_.energy(), direction_, {.relative_residual = 1e-12, .keep_factor = false});
   Eigen::VectorXd u = start(20);
   const Equilibrium at = newton.solve({Control::conjugate_depth, 20}, u);
   ASSERT_TRUE(at.converged) << at.reason;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/verify/reference_numbers.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 #include "solved_path.hpp"
 
 namespace membrane {
@@ -30,7 +30,7 @@ TEST(PressurePath, FiniteStrainAgainstTheOneDimensionalSolver) {
   for (const Step& step : solved_path(problem)) {
     EXPECT_NEAR(step.depth_A / 110 / expected[step.level], 1, 7e-4) << step.pressure_eV_per_A3;
     EXPECT_GT(step.volume_A3, 0);
-    EXPECT_EQ(step.smallest_pivot_sign, 1);
+    EXPECT_EQ(step.on_triangles().smallest_pivot_sign, 1);
   }
 }
 
@@ -76,7 +76,7 @@ TEST(VolumePath, GoesBeyondTheLargestPressure) {
   for (std::size_t i = 1; i < 9; ++i) EXPECT_GT(pressure(i), pressure(i - 1)) << i;
   for (std::size_t i = 10; i < steps.size(); ++i) {
     EXPECT_LT(pressure(i), pressure(i - 1)) << i;
-    EXPECT_EQ(steps[i].smallest_pivot_sign, -1) << i;  // under a given pressure it would not stay there
+    EXPECT_EQ(steps[i].on_triangles().smallest_pivot_sign, -1) << i;  // under a given pressure it would not stay there
   }
   for (std::size_t i = 2; i + 1 < steps.size(); ++i) {
     const Step &before = steps[i - 1], &after = steps[i + 1];
@@ -88,14 +88,15 @@ TEST(VolumePath, GoesBeyondTheLargestPressure) {
 
 /// The same in one dimension, as far as a given pressure goes.
 TEST(VolumePath, RubberIsThatOfTheRoundSheet) {
-  axisymmetric::SheetProblem round;
-  round.radius_A = 110;
+  Problem round;
+  round.discretisation = Meridian{};
+  round.sheet = DiscSheet{110};
   round.law = neo_hookean(8, 0.5);
-  round.load = axisymmetric::PressureLoad{};
-  round.control = axisymmetric::Control::force;
+  round.load = PressureLoad{};
+  round.control = Control::force;
   round.levels = {1e-3, 1e-2, 3e-2, 4e-2};
   double depth = 0;
-  const auto report = solve(round, [&](const axisymmetric::SheetStep& step) {
+  const auto report = solve(round, [&](const Step& step) {
     depth = step.depth_A;
     return true;
   });

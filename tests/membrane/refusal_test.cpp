@@ -107,7 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Bad{"load.radius_A", [](Problem& p) { p.load = SphereLoad{nan}; }},
                       Bad{"load.density", [](Problem& p) { p.load = RadialLoad{{0, 10}, {1, nan}}; }},
                       Bad{"pressure_eV_per_A3", [](Problem& p) { p.pressure_eV_per_A3 = nan; }},
-                      Bad{"solver.relative_residual", [](Problem& p) { p.solver.relative_residual = nan; }},
+                      Bad{"discretisation.relative_residual", [](Problem& p) { p.discretisation = Triangles{.relative_residual = nan}; }},
+                      Bad{"discretisation.most_iterations", [](Problem& p) { p.discretisation = Triangles{.most_iterations = 0}; }},
                       Bad{"sheet.rim",
                           [](Problem& p) { std::get<DiscSheet>(p.sheet).rim = Support::free; }}));
 

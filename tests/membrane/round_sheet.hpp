@@ -6,16 +6,16 @@
 #include <numbers>
 #include <vector>
 
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 
-namespace membrane::axisymmetric::testing {
+namespace membrane::meridian::testing {
 
 inline constexpr double a = 110;        // Å
 inline constexpr double modulus = 8.0;  // E·h, eV/Å²
 
-inline std::vector<SheetStep> run(const SheetProblem& problem, SheetReport* report = nullptr) {
-  std::vector<SheetStep> steps;
-  const SheetReport end = solve(problem, [&](const SheetStep& step) {
+inline std::vector<Step> run(const Problem& problem, Report* report = nullptr) {
+  std::vector<Step> steps;
+  const Report end = solve(problem, [&](const Step& step) {
     steps.push_back(step);
     return true;
   });
@@ -25,21 +25,25 @@ inline std::vector<SheetStep> run(const SheetProblem& problem, SheetReport* repo
   return steps;
 }
 
-inline SheetProblem membrane_problem(double nu, Load load, std::vector<double> levels) {
-  SheetProblem problem;
-  problem.radius_A = a;
+inline void refine(Problem& problem, double refinement) { problem.discretisation = Meridian{refinement}; }
+
+inline Problem membrane_problem(double nu, Load load, std::vector<double> levels) {
+  Problem problem;
+  problem.sheet = DiscSheet{a};
+  problem.discretisation = Meridian{};
   problem.law = StVenantKirchhoff{modulus, nu};
+  problem.control = std::holds_alternative<PressureLoad>(load) ? Control::force : Control::conjugate_depth;
   problem.load = std::move(load);
   problem.levels = std::move(levels);
   return problem;
 }
 
-inline SheetProblem plate_problem(Load load, std::vector<double> levels) {
-  SheetProblem problem = membrane_problem(0.3645, std::move(load), std::move(levels));
+inline Problem plate_problem(Load load, std::vector<double> levels) {
+  Problem problem = membrane_problem(0.3645, std::move(load), std::move(levels));
   problem.law = StVenantKirchhoff{17.33, 0.3645};
   problem.relaxed = false;
-  problem.bending_modulus_eV = 0.966;
+  problem.bending = clamped_all_round(0.966);
   return problem;
 }
 
-}  // namespace membrane::axisymmetric::testing
+}  // namespace membrane::meridian::testing

@@ -8,7 +8,6 @@
 
 #include "compare/potential/law/linear_fit.hpp"
 #include "compare/potential/law/states.hpp"
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
@@ -73,15 +72,16 @@ std::vector<double> probe_depths() {
 }
 
 std::vector<double> sheet_forces(const membrane::Law& law, double bending_eV) {
-  membrane::axisymmetric::SheetProblem problem;
-  problem.radius_A = probe_radius_A;
+  membrane::Problem problem;
+  problem.discretisation = membrane::Meridian{};
+  problem.sheet = membrane::DiscSheet{probe_radius_A};
   problem.law = law;
   problem.relaxed = false;
-  problem.bending_modulus_eV = bending_eV;
-  problem.load = membrane::axisymmetric::DiscLoad{probe_tip_A};
+  problem.bending = membrane::clamped_all_round_if_any(bending_eV);
+  problem.load = membrane::DiscLoad{probe_tip_A};
   problem.levels = probe_depths();
   std::vector<double> forces;
-  membrane::axisymmetric::solve(problem, [&](const membrane::axisymmetric::SheetStep& step) {
+  membrane::solve(problem, [&](const membrane::Step& step) {
     if (step.converged) forces.push_back(step.force_eV_per_A);
     return step.converged;
   });

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  const nlohmann::ordered_json document{{"triangles", report.triangles},
+  const nlohmann::ordered_json document{{"triangles", report.elements},
                                         {"steps", depths.size()},
                                         {"converged", report.converged},
                                         {"factorisations", report.factorisations},

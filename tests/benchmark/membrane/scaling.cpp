@@ -27,7 +27,7 @@ void path(benchmark::State& state) {
   if (!report.converged) state.SkipWithError(report.reason.c_str());
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  state.counters["triangles"] = report.triangles;
+  state.counters["triangles"] = report.elements;
   state.counters["factorisations"] = report.factorisations;
   state.counters["passes"] = report.assemblies;
   state.counters["peak_MB"] = used.ru_maxrss / 1024.0;

@@ -1,0 +1,34 @@
+// What a problem that check() accepts for a meridian means there.
+#pragma once
+
+#include "membrane/problem.hpp"
+
+namespace membrane::meridian {
+
+inline double radius_A(const Problem& problem) { return std::get<DiscSheet>(problem.sheet).radius_A; }
+
+/// Isotropic.
+inline double pretension_eV_per_A2(const Problem& problem) { return problem.prestress_eV_per_A2(0, 0); }
+
+/// 0: a membrane. The Gaussian term does not count where the rim is clamped.
+inline double bending_modulus_eV(const Problem& problem) { return problem.bending ? problem.bending->mean_eV : 0; }
+
+/// What a meridian wants to know of a load beside its pattern.
+struct Traits {
+  double radius_A = 0;  ///< of the loaded part or the sphere; 0: none
+  bool peaked = false;  ///< a membrane comes to a point under it
+  bool sphere = false;
+  bool pressure = false;  ///< the levels are pressures
+};
+
+struct TraitsOf {
+  Traits operator()(const CentreForce&) const { return {.peaked = true}; }
+  Traits operator()(const SpreadForce& spread) const { return {.radius_A = spread.radius_A}; }
+  Traits operator()(const RigidSphere& sphere) const { return {.radius_A = sphere.radius_A, .sphere = true}; }
+  Traits operator()(const FollowerPressure&) const { return {.pressure = true}; }
+  Traits operator()(const EdgeMotion&) const { return {}; }  // no load of a meridian: check()
+};
+
+inline Traits traits_of(const Problem& problem) { return std::visit(TraitsOf{}, action_of(problem.load)); }
+
+}  // namespace membrane::meridian
