@@ -17,7 +17,8 @@ SmallerStress smaller_cauchy_force(const Problem& problem, const Step& step) {
   for (const Triangle& triangle : mesh_of(problem).triangles) {
     const Voigt strain = strain_of(triangle, step.on_triangles().displacements);
     const Voigt force = std::visit(
-        [&](const auto& law) { return cauchy_force(law, strain, Voigt::Zero(), problem.relaxed); }, problem.law);
+        [&]<MaterialLaw L>(const L& law) { return cauchy_force(law, strain, Voigt::Zero(), problem.relaxed); },
+        problem.law);
     const double smaller = principal_forces(force).smaller;
     range.least = std::min(range.least, smaller);
     range.largest = std::max(range.largest, smaller);

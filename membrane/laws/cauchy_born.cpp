@@ -45,4 +45,25 @@ void CauchyBorn::check() const {
   }
 }
 
+std::vector<LawForm<CauchyBorn>> CauchyBorn::forms() { return {}; }
+
+/// Like one fitted to a potential: AIREBO's constants, every kind of term, odd powers of q with them.
+std::vector<LawExample<CauchyBorn>> CauchyBorn::examples() {
+  return {{with_nu("Cauchy-Born", 0.3645),
+           {17.33,
+            0.3645,
+            {{3, 0, -14.0},
+             {1, 2, -30.0},
+             {0, 3, 25.0},
+             {4, 0, 5.0},
+             {2, 2, 20.0},
+             {1, 3, -35.0},
+             {0, 4, -40.0},
+             {2, 3, 11.0},
+             {3, 2, -17.0},
+             {0, 5, 60.0},
+             {1, 5, 30.0},
+             {6, 0, 3.0}}}}};
+}
+
 }  // namespace membrane

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "membrane/laws/form.hpp"
 #include "membrane/laws/isotropic.hpp"
 
 namespace membrane {
@@ -35,8 +36,11 @@ struct CauchyBorn {
   double thickness_stretch(const Voigt&) const { return 1; }
 
   void check() const;
+
+  static std::vector<LawForm<CauchyBorn>> forms();
+  static std::vector<LawExample<CauchyBorn>> examples();
 };
 
-static_assert(IsotropicLaw<CauchyBorn>);
+static_assert(IsotropicLaw<CauchyBorn> && ListedLaw<CauchyBorn>);
 
 }  // namespace membrane

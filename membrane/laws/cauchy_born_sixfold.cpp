@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "membrane/base/refusal.hpp"
+#include "membrane/laws/cauchy_born.hpp"
 #include "membrane/laws/principal.hpp"
 
 namespace membrane {
@@ -130,6 +131,22 @@ void CauchyBornSixfold::check() const {
              "a term with an angle needs b of 3 or more: a hexagonal lattice is isotropic to second order");
     if (!std::isfinite(c)) refuse("law.terms", c, "every coefficient must be finite");
   }
+}
+
+std::vector<LawForm<CauchyBornSixfold>> CauchyBornSixfold::forms() { return {}; }
+
+/// The isotropic example with directions.
+std::vector<LawExample<CauchyBornSixfold>> CauchyBornSixfold::examples() {
+  const CauchyBorn isotropic = CauchyBorn::examples().front().law;
+  CauchyBornSixfold law{isotropic.sheet_modulus_eV_per_A2, isotropic.nu, 0, {}};
+  for (const auto& [a, b, c] : isotropic.terms) law.terms.push_back({a, b, Sixfold::none, c});
+  law.terms.push_back({0, 3, Sixfold::cosine, 20});
+  law.terms.push_back({0, 3, Sixfold::knots, 15});
+  law.terms.push_back({1, 3, Sixfold::cosine, -30});
+  law.terms.push_back({0, 4, Sixfold::cosine, 10});
+  law.terms.push_back({1, 3, Sixfold::knots, 8});
+  law.terms.push_back({0, 6, Sixfold::cosine_squared, -25});
+  return {{with_nu("Cauchy-Born sixfold", law.nu), law}};
 }
 
 }  // namespace membrane

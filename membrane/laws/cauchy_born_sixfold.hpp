@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "membrane/laws/form.hpp"
 #include "membrane/laws/response.hpp"
 
 namespace membrane {
@@ -45,8 +46,11 @@ struct CauchyBornSixfold {
   double thickness_stretch(const Voigt&) const { return 1; }
 
   void check() const;
+
+  static std::vector<LawForm<CauchyBornSixfold>> forms();
+  static std::vector<LawExample<CauchyBornSixfold>> examples();
 };
 
-static_assert(DirectionalLaw<CauchyBornSixfold>);
+static_assert(DirectionalLaw<CauchyBornSixfold> && ListedLaw<CauchyBornSixfold>);
 
 }  // namespace membrane

@@ -57,4 +57,14 @@ void CauchyBornTable::check() const {
     if (!std::isfinite(c)) refuse("law.coefficients_eV_per_A2", c, "every coefficient must be finite");
 }
 
+std::vector<LawForm<CauchyBornTable>> CauchyBornTable::forms() { return {}; }
+
+/// Coefficients without any order.
+std::vector<LawExample<CauchyBornTable>> CauchyBornTable::examples() {
+  CauchyBornTable law{17.33, 0.3645, {-0.2, 0.35, 3}, {0, 0.18, 2}, {}};
+  for (int k = 0; k < law.coefficient_count(); ++k)
+    law.coefficients_eV_per_A2.push_back(-4 + 1.5 * std::sin(1.7 * k * k));
+  return {{with_nu("Cauchy-Born table", law.nu), law}};
+}
+
 }  // namespace membrane

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "membrane/laws/form.hpp"
 #include "membrane/laws/isotropic.hpp"
 #include "membrane/laws/spline.hpp"
 
@@ -34,8 +35,11 @@ struct CauchyBornTable {
   double thickness_stretch(const Voigt&) const { return 1; }
 
   void check() const;
+
+  static std::vector<LawForm<CauchyBornTable>> forms();
+  static std::vector<LawExample<CauchyBornTable>> examples();
 };
 
-static_assert(IsotropicLaw<CauchyBornTable>);
+static_assert(IsotropicLaw<CauchyBornTable> && ListedLaw<CauchyBornTable>);
 
 }  // namespace membrane

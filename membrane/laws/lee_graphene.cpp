@@ -36,4 +36,24 @@ void LeeGraphene::check() const {
     refuse("law.third_order_modulus_eV_per_A2", third_order_modulus_eV_per_A2, "must be finite");
 }
 
+std::vector<LawForm<LeeGraphene>> LeeGraphene::forms() {
+  return {{"lee",
+           "graphene that softens: S = Eh E + D E^2 under uniaxial stress (Lee et al. 2008)",
+           {Eh_parameter,
+            nu_parameter,
+            {"third_order", "eV/Å²", "D, elastic modulus of third order; -690 N/m in the publication",
+             LeeGraphene{}.third_order_modulus_eV_per_A2}},
+           [](const LawValues& v) {
+             return LeeGraphene{v.at("Eh"), v.at("nu"), v.at("third_order")};
+           }}};
+}
+
+std::vector<LawExample<LeeGraphene>> LeeGraphene::examples() {
+  constexpr double modulus = example_modulus_eV_per_A2;
+  std::vector<LawExample<LeeGraphene>> all;
+  for (double ratio : {0.165, 0.0, 0.45, -0.158})
+    all.push_back({with_nu("Lee's graphene", ratio), {modulus, ratio, -2 * modulus}});
+  return all;
+}
+
 }  // namespace membrane

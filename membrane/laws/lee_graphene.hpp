@@ -2,6 +2,9 @@
 // has S = E·h E + D E² (second Piola–Kirchhoff force, Green–Lagrange strain).
 #pragma once
 
+#include <vector>
+
+#include "membrane/laws/form.hpp"
 #include "membrane/laws/isotropic.hpp"
 
 namespace membrane {
@@ -28,8 +31,11 @@ struct LeeGraphene {
   double thickness_stretch(const Voigt&) const { return 1; }
 
   void check() const;
+
+  static std::vector<LawForm<LeeGraphene>> forms();
+  static std::vector<LawExample<LeeGraphene>> examples();
 };
 
-static_assert(IsotropicLaw<LeeGraphene>);
+static_assert(IsotropicLaw<LeeGraphene> && ListedLaw<LeeGraphene>);
 
 }  // namespace membrane

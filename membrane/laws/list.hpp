@@ -1,7 +1,11 @@
-// Every material law. A new one is two files beside this one and a name here; the tests run over this list.
+// Every material law. A new one is two files beside this one and a name in Law: its forms() make it known by name, its
+// examples() have it tried by the tests and by verification, and without either it does not compile.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "membrane/laws/cauchy_born.hpp"
 #include "membrane/laws/cauchy_born_sixfold.hpp"
@@ -20,5 +24,39 @@ bool is_isotropic(const Law& law);
 
 /// E·h of small strains.
 double sheet_modulus(const Law& law);
+
+/// Poisson ratio of small strains.
+double poisson_ratio(const Law& law);
+
+/// A law that can be made by name.
+struct LawEntry {
+  std::string_view name, meaning;
+  std::vector<LawParameter> parameters;
+};
+
+/// In the order of Law. Laws whose parameters are data are not among them.
+std::vector<LawEntry> laws_by_name();
+
+/// The law of a name with its parameters (E·h in eV/Å²). Throws std::invalid_argument for a name or parameter that
+/// there is not (naming those there are), for one that is missing, and for values that the law refuses.
+Law make_law(std::string_view name, const LawValues& values);
+
+struct NamedLaw {
+  std::string name;
+  Law law;
+};
+
+/// Every law at its examples: what the tests and verification run over.
+std::vector<NamedLaw> example_laws();
+
+/// The same sheet, turned in its plane by an angle (radians) together with its lattice.
+template <IsotropicLaw L>
+L turned(const L& law, double) {
+  return law;
+}
+inline CauchyBornSixfold turned(CauchyBornSixfold law, double angle_rad) {
+  law.zigzag_rad += angle_rad;
+  return law;
+}
 
 }  // namespace membrane

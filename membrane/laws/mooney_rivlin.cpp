@@ -87,4 +87,27 @@ void MooneyRivlin::check() const {
     refuse("law.second_share", second_share, "must lie between 0 (neo-Hookean) and 1");
 }
 
+std::vector<LawForm<MooneyRivlin>> MooneyRivlin::forms() {
+  return {{"neo-hookean",
+           "neo-Hookean rubber in plane stress, incompressible at nu = 0.5",
+           {Eh_parameter, nu_parameter},
+           [](const LawValues& v) { return neo_hookean(v.at("Eh"), v.at("nu")); }},
+          {"mooney-rivlin",
+           "Mooney-Rivlin rubber in plane stress, incompressible at nu = 0.5",
+           {Eh_parameter, nu_parameter, {"second_share", "", "mu2 / (mu1 + mu2), from 0 (neo-Hookean) to 1"}},
+           [](const LawValues& v) {
+             return MooneyRivlin{v.at("Eh"), v.at("nu"), v.at("second_share")};
+           }}};
+}
+
+std::vector<LawExample<MooneyRivlin>> MooneyRivlin::examples() {
+  constexpr double modulus = example_modulus_eV_per_A2;
+  std::vector<LawExample<MooneyRivlin>> all;
+  for (double ratio : {0.3, 0.0, -0.158}) all.push_back({with_nu("neo-Hookean", ratio), neo_hookean(modulus, ratio)});
+  all.push_back({"neo-Hookean, incompressible", neo_hookean(modulus, 0.5)});
+  for (double ratio : {0.3, 0.0, -0.158}) all.push_back({with_nu("Mooney-Rivlin", ratio), {modulus, ratio, 0.2}});
+  all.push_back({"Mooney-Rivlin, incompressible", {modulus, 0.5, 0.2}});
+  return all;
+}
+
 }  // namespace membrane

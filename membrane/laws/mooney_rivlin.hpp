@@ -2,6 +2,9 @@
 // 2010 name as the way to a better response at large strain.
 #pragma once
 
+#include <vector>
+
+#include "membrane/laws/form.hpp"
 #include "membrane/laws/isotropic.hpp"
 
 namespace membrane {
@@ -29,9 +32,12 @@ struct MooneyRivlin {
   double thickness_stretch(const Voigt& strain) const;
 
   void check() const;
+
+  static std::vector<LawForm<MooneyRivlin>> forms();
+  static std::vector<LawExample<MooneyRivlin>> examples();
 };
 
-static_assert(IsotropicLaw<MooneyRivlin>);
+static_assert(IsotropicLaw<MooneyRivlin> && ListedLaw<MooneyRivlin>);
 
 /// S = µ (1 − lambda3² C⁻¹).
 inline MooneyRivlin neo_hookean(double sheet_modulus_eV_per_A2, double nu) { return {sheet_modulus_eV_per_A2, nu, 0}; }

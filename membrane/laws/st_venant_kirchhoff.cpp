@@ -27,4 +27,20 @@ void StVenantKirchhoff::check() const {
   if (!(nu > -1 && nu < 1)) refuse("law.nu", nu, "must lie between -1 and 1, both excluded");
 }
 
+std::vector<LawForm<StVenantKirchhoff>> StVenantKirchhoff::forms() {
+  return {{"svk",
+           "St Venant-Kirchhoff: stress in proportion to Green-Lagrange strain, the paper's law",
+           {Eh_parameter, nu_parameter},
+           [](const LawValues& v) {
+             return StVenantKirchhoff{v.at("Eh"), v.at("nu")};
+           }}};
+}
+
+std::vector<LawExample<StVenantKirchhoff>> StVenantKirchhoff::examples() {
+  std::vector<LawExample<StVenantKirchhoff>> all;
+  for (double ratio : {0.19, -0.158, 0.0, 0.45})
+    all.push_back({with_nu("St Venant-Kirchhoff", ratio), {example_modulus_eV_per_A2, ratio}});
+  return all;
+}
+
 }  // namespace membrane

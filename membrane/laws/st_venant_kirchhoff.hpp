@@ -1,6 +1,9 @@
 // Plane-stress St Venant–Kirchhoff, the law of Gil et al. 2010 (their Eq. 2, with its misprint corrected).
 #pragma once
 
+#include <vector>
+
+#include "membrane/laws/form.hpp"
 #include "membrane/laws/response.hpp"
 
 namespace membrane {
@@ -26,8 +29,11 @@ struct StVenantKirchhoff {
   double thickness_stretch(const Voigt& strain) const;
 
   void check() const;
+
+  static std::vector<LawForm<StVenantKirchhoff>> forms();
+  static std::vector<LawExample<StVenantKirchhoff>> examples();
 };
 
-static_assert(IsotropicLaw<StVenantKirchhoff>);
+static_assert(IsotropicLaw<StVenantKirchhoff> && ListedLaw<StVenantKirchhoff>);
 
 }  // namespace membrane

@@ -15,7 +15,7 @@ Voigt Stretching::strain(double s, const LocalState& y) {
 
 Response Stretching::response(const Voigt& strain) const {
   const Voigt total = strain + Voigt(offset, offset, 0);
-  return std::visit([&](const auto& l) { return relaxed ? tension_field(l, total) : l(total); }, law);
+  return std::visit([&]<MaterialLaw L>(const L& l) { return relaxed ? tension_field(l, total) : l(total); }, law);
 }
 
 Density Stretching::operator()(const Ring& ring, const LocalState& y) const {

@@ -16,7 +16,7 @@ template <class Visit>
 auto with_response(const Material& material, Visit visit) {
   const Voigt& offset = material.offset_strain;
   return std::visit(
-      [&](const auto& law) {
+      [&]<MaterialLaw L>(const L& law) {
         if (material.relaxed)
           return visit([&](const Voigt& strain) { return tension_field(law, Voigt(strain + offset)); });
         return visit([&](const Voigt& strain) { return law(Voigt(strain + offset)); });

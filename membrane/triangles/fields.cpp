@@ -36,7 +36,7 @@ SheetFields fields_of(const Problem& problem, const Mesh& mesh, const Eigen::Vec
   SheetFields fields;
   double wrinkled = 0, slack = 0;
   std::visit(
-      [&](const auto& law) {
+      [&]<MaterialLaw L>(const L& law) {
         for (const Triangle& triangle : mesh.triangles) {
           const SheetState state = add_triangle(law, material, strain_of(triangle, displacements), fields);
           if (state == SheetState::wrinkled) wrinkled += triangle.area_A2;

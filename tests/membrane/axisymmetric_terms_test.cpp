@@ -44,7 +44,7 @@ std::vector<NamedTerm> all_terms() {
   add("pressure", Pressure{0.003});
   add("contact, under the sphere", SphereContact{20, 14, 0.3});
   add("contact, beside the cylinder", SphereContact{11, 40, 0.3});
-  for (const auto& [name, law] : membrane::testing::laws()) {
+  for (const auto& [name, law] : example_laws()) {
     add("stretching, " + name, Stretching{law, 0.01, false, 0});
     add("relaxed stretching, " + name, Stretching{law, 0.01, true, 0});
   }
