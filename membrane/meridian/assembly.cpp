@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "membrane/meridian/tuning.hpp"
+
 namespace membrane::meridian {
 namespace {
 
@@ -18,10 +20,6 @@ constexpr std::array<Gauss, 4> gauss{{{0.06943184420297371, 0.17392742256872693}
                                       {0.33000947820757187, 0.32607257743127307},
                                       {0.66999052179242813, 0.32607257743127307},
                                       {0.93056815579702629, 0.17392742256872693}}};
-
-constexpr double watched_share = 2;        // of the sphere's radius: no sheet is drawn in so far
-constexpr double boundary_share = 0.99;    // of a gap or pressure that a step may take
-constexpr double farthest_pressure = 1e4;  // from what the barrier has across the gap
 
 std::vector<QuadraturePoint> quadrature(const std::vector<double>& nodes) {
   std::vector<QuadraturePoint> points;
@@ -60,7 +58,7 @@ Assembly::Assembly(std::vector<double> nodes, std::vector<int> held, std::vector
       terms_(std::move(terms)),
       contact_(contact),
       points_(quadrature(nodes_)) {
-  if (contact_) contact_points_ = watched(nodes_, watched_share * contact_->radius_A);
+  if (contact_) contact_points_ = watched(nodes_, ContactTuning::watched_share * contact_->radius_A);
 }
 
 void Assembly::release_held(Eigen::VectorXd& vector) const {
@@ -141,7 +139,7 @@ double Assembly::longest_share(const Eigen::VectorXd& x, const Eigen::VectorXd& 
     const LocalState y = state(point, x);
     const double gap = contact_->gap(point.ring, y);
     const double change = contact_->normal(point.ring, y).dot(state(point, step));
-    if (share * change < -boundary_share * gap) share = -boundary_share * gap / change;
+    if (share * change < -ContactTuning::boundary_share * gap) share = -ContactTuning::boundary_share * gap / change;
   }
   return share;
 }
@@ -155,8 +153,9 @@ void Assembly::advance_pressures(const Eigen::VectorXd& x, const Eigen::VectorXd
     const double barrier = contact_->barrier_eV_per_A2;
     const double next = barrier / gap - pressures_[i] * change / gap;
     const double from_barrier = barrier / contact_->gap(point.ring, state(point, x + step));
-    pressures_[i] = std::clamp(std::max(next, (1 - boundary_share) * pressures_[i]), from_barrier / farthest_pressure,
-                               from_barrier * farthest_pressure);
+    pressures_[i] =
+        std::clamp(std::max(next, (1 - ContactTuning::boundary_share) * pressures_[i]),
+                   from_barrier / ContactTuning::farthest_pressure, from_barrier * ContactTuning::farthest_pressure);
   }
 }
 

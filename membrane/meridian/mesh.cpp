@@ -4,18 +4,10 @@
 #include <cmath>
 
 #include "membrane/meridian/round_problem.hpp"
+#include "membrane/meridian/tuning.hpp"
 
 namespace membrane::meridian {
 namespace {
-
-constexpr double growth = 0.3;
-constexpr double largest_share = 1.0 / 40;  // of the radius
-constexpr double under_load = 1.0 / 10;     // of the load's radius
-constexpr double under_sphere = 1.0 / 60;   // of the sphere's radius: contact ends somewhere inside
-constexpr double first_contact = 1.0 / 8;   // of that, at the tip, where contact begins if nothing spreads it
-constexpr double layer_share = 3;           // of √(κ/E·h), the length of the thinnest boundary layer there can be
-constexpr double point_membrane = 1e-10;    // of the radius: w ~ r^(2/3), no length of its own
-constexpr double point_plate = 1e-4;        // of the radius: w ~ r² ln r
 
 /// The foci of a load, and the radius where its density jumps.
 struct Demand {
@@ -27,17 +19,19 @@ struct Demand {
   double in_layer(double size) const { return layer > 0 ? std::min(layer, size) : size; }
 
   void patch(double load_radius) {
-    foci.push_back({0, 0, under_load * load_radius});
-    foci.push_back({load_radius, load_radius, in_layer(under_load * load_radius)});
+    foci.push_back({0, 0, MeshTuning::under_load * load_radius});
+    foci.push_back({load_radius, load_radius, in_layer(MeshTuning::under_load * load_radius)});
     if (load_radius < radius) fixed.push_back(load_radius);
   }
 
-  void operator()(const CentreForce&) { foci.push_back({0, 0, radius * (layer > 0 ? point_plate : point_membrane)}); }
+  void operator()(const CentreForce&) {
+    foci.push_back({0, 0, radius * (layer > 0 ? MeshTuning::point_plate : MeshTuning::point_membrane)});
+  }
   void operator()(const SpreadForce& spread) { patch(spread.radius_A); }
   void operator()(const RigidSphere& sphere) {
-    const double size = under_sphere * sphere.radius_A;
+    const double size = MeshTuning::under_sphere * sphere.radius_A;
     foci.push_back({0, std::min(sphere.radius_A, radius), size});
-    if (layer == 0) foci.push_back({0, 0, first_contact * size});
+    if (layer == 0) foci.push_back({0, 0, MeshTuning::first_contact * size});
   }
   void operator()(const FollowerPressure&) {}
   void operator()(const EdgeMotion&) {}  // no load of a meridian: check()
@@ -70,13 +64,13 @@ std::vector<double> graded_radii(double sheet_radius, const std::vector<double>&
 
 std::vector<double> nodes_for(const Problem& problem) {
   const double radius = radius_A(problem), refinement = std::get<Meridian>(problem.discretisation).refinement;
-  const double layer = layer_share * std::sqrt(bending_modulus_eV(problem) / sheet_modulus(problem.law));
+  const double layer = MeshTuning::layer_share * std::sqrt(bending_modulus_eV(problem) / sheet_modulus(problem.law));
   Demand demand{radius, layer};
   std::visit(demand, action_of(problem.load));
-  const double largest = largest_share * radius;
+  const double largest = MeshTuning::largest_share * radius;
   demand.foci.push_back({radius, radius, demand.in_layer(largest)});
   for (Focus& focus : demand.foci) focus.size_A /= refinement;
-  return graded_radii(radius, demand.fixed, demand.foci, growth / refinement, largest / refinement);
+  return graded_radii(radius, demand.fixed, demand.foci, MeshTuning::growth / refinement, largest / refinement);
 }
 
 }  // namespace membrane::meridian

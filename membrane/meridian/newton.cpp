@@ -4,19 +4,10 @@
 #include <cmath>
 
 #include "membrane/base/line_search.hpp"
+#include "membrane/meridian/tuning.hpp"
 
 namespace membrane::meridian {
-namespace {
-
-constexpr double tolerance = 1e-9;  // good enough where rounding stops the fall
-constexpr double aim = 1e-11;
-constexpr int most_stalls = 2;
-constexpr int most_searches = 200;
-constexpr double energy_noise = 1e-13;  // of what the energy is the sum of
-constexpr double first_shift = 1e-10;   // of the diagonal
-constexpr double shift_growth = 30;
-
-}  // namespace
+using Tuning = NewtonTuning;
 
 Newton::Newton(Assembly& assembly) : assembly_(assembly), hessian_(assembly.element_count() + 1) {}
 
@@ -25,7 +16,7 @@ bool Newton::factorise(const Eigen::VectorXd& x) {
   assembly_.hessian(x, hessian_);
   ++factorisations_;
   if (factor_.factorise(hessian_)) return true;
-  for (double share = first_shift; share < 1e3; share *= shift_growth) {
+  for (double share = Tuning::first_shift; share < Tuning::most_shift; share *= Tuning::shift_growth) {
     ++factorisations_;
     if (factor_.factorise(hessian_, share)) return true;
   }
@@ -34,7 +25,7 @@ bool Newton::factorise(const Eigen::VectorXd& x) {
 
 /// Moves x, energy_ and gradient_ along step_ as far as the energy falls enough.
 bool Newton::move(Eigen::VectorXd& x) {
-  const double noise = energy_noise * assembly_.magnitude();
+  const double noise = Tuning::energy_noise * assembly_.magnitude();
   step_ *= assembly_.longest_share(x, step_);
   double trial_energy = 0;
   const double length = line_search(residual_.dot(step_), [&](double share) {
@@ -54,7 +45,7 @@ Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
   Equilibrium at;
   int stalls = 0;
   energy_ = assembly_.energy(x, gradient_);
-  for (; at.iterations <= most_searches; ++at.iterations) {
+  for (; at.iterations <= Tuning::most_searches; ++at.iterations) {
     if (!std::isfinite(energy_) || !factorise(x)) {
       at.reason = "energy or stiffness are not finite";
       return at;
@@ -71,15 +62,16 @@ Equilibrium Newton::solve(const Eigen::VectorXd& pattern, Eigen::VectorXd& x) {
     const double decrement = -residual_.dot(step_);
     const double before = at.relative_residual;
     at.relative_residual = decrement > 0 ? std::sqrt(decrement / scale) : 0;
-    stalls = at.iterations > 0 && at.relative_residual > 0.3 * before ? stalls + 1 : 0;
-    at.converged = at.relative_residual <= aim || (stalls >= most_stalls && at.relative_residual <= tolerance);
+    stalls = at.iterations > 0 && at.relative_residual > Tuning::stall * before ? stalls + 1 : 0;
+    at.converged = at.relative_residual <= Tuning::aim ||
+                   (stalls >= Tuning::most_stalls && at.relative_residual <= Tuning::tolerance);
     if (at.converged) return at;
     if (!move(x)) {
       at.reason = "the line search found no lower energy";
       return at;
     }
   }
-  at.reason = "no equilibrium within " + std::to_string(most_searches) + " iterations";
+  at.reason = "no equilibrium within " + std::to_string(Tuning::most_searches) + " iterations";
   return at;
 }
 

@@ -11,20 +11,10 @@
 #include "membrane/meridian/record.hpp"
 #include "membrane/meridian/round_problem.hpp"
 #include "membrane/meridian/setup.hpp"
+#include "membrane/meridian/tuning.hpp"
 
 namespace membrane::meridian {
 namespace {
-
-constexpr int most_cuts = 12;              // failed attempts on the way to one level …
-constexpr int most_factorisations = 5000;  // … and work on it: most take thirty …
-constexpr int most_for_the_first = 30000;  // … but the way out of the flat sheet can take thousands
-constexpr int most_corrections = 40;
-constexpr double force_tolerance = 1e-10;
-constexpr double first_barrier = 1e-3;  // of the energy, over the sphere's area …
-constexpr double last_slack = 1e-8;     // … until the gap that bears the force is this share of the depth
-constexpr double close_enough = 0.98;   // to that
-constexpr double no_contact = 1e-14;    // of the energy: the sheet is clear of the sphere
-constexpr double barrier_decay = 0.1;   // at each stride; later strides are longer
 
 class Path {
  public:
@@ -78,10 +68,11 @@ class Path {
   template <class Try, class Here>
   Attempt reach(double value, Try attempt, Here here) {
     const bool first = !predictor_.last();
-    const int most = newton_.factorisations() + (first ? most_for_the_first : most_factorisations);
+    const int most =
+        newton_.factorisations() + (first ? PathTuning::most_for_the_first : PathTuning::most_factorisations);
     return membrane::reach(
         value, attempt, [&](double missed) { return predictor_.last() ? 0.5 * (here() + missed) : missed / 8; },
-        [&](int cuts) { return cuts < most_cuts && newton_.factorisations() < most; },
+        [&](int cuts) { return cuts < PathTuning::most_cuts && newton_.factorisations() < most; },
         [&](double missed, double next, const Equilibrium& why) {
           report_.cuts.push_back(cut_note(missed, next, why));
         });
@@ -114,8 +105,8 @@ class Path {
   /// Secants in log force over log depth, which is nearly straight.
   Attempt reach_force(double force) {
     Attempt at = reach_depth(predictor_.last() ? predictor_.depth_at(force) : start_depth(problem_, force));
-    for (int i = 0; i < most_corrections && at.equilibrium.converged; ++i) {
-      if (std::abs(at.known.force_eV_per_A - force) <= force_tolerance * force) return at;
+    for (int i = 0; i < PathTuning::most_corrections && at.equilibrium.converged; ++i) {
+      if (std::abs(at.known.force_eV_per_A - force) <= PathTuning::force_tolerance * force) return at;
       if (!(at.known.force_eV_per_A > 0)) break;
       at = reach_depth(predictor_.depth_at(force));
     }
@@ -143,7 +134,7 @@ class Path {
     clear_sphere(at.known.x);
     const double area = std::numbers::pi * contact.radius_A * contact.radius_A;
     const double unit = sheet_energy(at.known.x) / area;
-    double share = first_barrier;
+    double share = ContactTuning::first_barrier;
     contact.barrier_eV_per_A2 = share * unit;
     assembly_.start_pressures(at.known.x);
     for (;;) {
@@ -151,9 +142,10 @@ class Path {
       if (!at.equilibrium.converged) return;
       const Bearing bearing = bearing_of(at.known.x);
       at.known.force_eV_per_A = bearing.force_eV_per_A;
-      const double farther = last_slack * depth_scale() / bearing.gap_A;  // the gap is proportional to the barrier
-      if (farther > close_enough || share < no_contact) return;
-      share *= std::max(farther, std::min(barrier_decay, std::sqrt(share)));
+      const double farther =
+          ContactTuning::last_slack * depth_scale() / bearing.gap_A;  // the gap is proportional to the barrier
+      if (farther > ContactTuning::close_enough || share < ContactTuning::no_contact) return;
+      share *= std::max(farther, std::min(ContactTuning::barrier_decay, std::sqrt(share)));
       contact.barrier_eV_per_A2 = share * unit;
     }
   }

@@ -5,17 +5,13 @@
 #include <utility>
 
 #include "membrane/meridian/hermite.hpp"
+#include "membrane/meridian/tuning.hpp"
 
 namespace membrane::meridian {
-namespace {
-
-constexpr double coincident = 1e-9;  // of the depth
-constexpr double farthest = 2;       // of the last step
-
-}  // namespace
 
 void Predictor::add(Known known) {
-  if (last_ && std::abs(known.depth_A - last_->depth_A) > coincident * std::abs(known.depth_A)) before_ = last_;
+  if (last_ && std::abs(known.depth_A - last_->depth_A) > PathTuning::coincident * std::abs(known.depth_A))
+    before_ = last_;
   last_ = std::move(known);
 }
 
@@ -33,7 +29,7 @@ Eigen::VectorXd Predictor::at(double depth) const {
   const double ahead = depth - last_->depth_A;
   if (!before_) return starts_flat_ ? x : Eigen::VectorXd(x + ahead * unit_);
   const double share = ahead / (last_->depth_A - before_->depth_A);
-  if (starts_flat_ && std::abs(share) > farthest) return x;
+  if (starts_flat_ && std::abs(share) > PathTuning::farthest) return x;
   return x + share * (x - scaled(*before_, depth));
 }
 

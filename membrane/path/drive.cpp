@@ -7,15 +7,12 @@
 #include "membrane/triangles/nested_start.hpp"
 #include "membrane/triangles/predictor.hpp"
 #include "membrane/triangles/start.hpp"
+#include "membrane/triangles/tuning.hpp"
 
 namespace membrane {
 namespace {
 
 using Eigen::VectorXd;
-
-// Cells along an edge of the coarsest rectangle that a path begins on: enough for the tucks of a bulge; a
-// plane sheet has none.
-constexpr int cells_for_tucks = 20, cells_in_plane = 5;
 
 /// Rotations begin in the middle between their triangles.
 VectorXd padded(Model& model, const VectorXd& of_nodes) {
@@ -149,7 +146,8 @@ class PressureDrive final : public Drive {
       return predictor_.displacements(control_ == Control::force ? predictor_.conjugate_depth(std::abs(value) * area_)
                                                                  : value);
     if (nested_)
-      if (const auto guess = guess_from_coarser(problem_, value, cells_for_tucks)) return padded(model_, *guess);
+      if (const auto guess = guess_from_coarser(problem_, value, StartTuning::cells_for_tucks))
+        return padded(model_, *guess);
     return first_guess(value);
   }
 
@@ -218,7 +216,8 @@ class MotionDrive final : public Drive {
 
  private:
   VectorXd first_guess(double value) {
-    if (const auto guess = guess_from_coarser(problem_, value, cells_in_plane)) return padded(model_, *guess);
+    if (const auto guess = guess_from_coarser(problem_, value, StartTuning::cells_in_plane))
+      return padded(model_, *guess);
     VectorXd held = VectorXd::Zero(model_.energy().dof_count());
     model_.move_edge(motion_, value, held);
     return StiffenedSheet(model_, newton_).under_motion(held);

@@ -11,12 +11,10 @@
 #include "membrane/triangles/model.hpp"
 #include "membrane/triangles/newton.hpp"
 #include "membrane/triangles/predictor.hpp"
+#include "membrane/triangles/tuning.hpp"
 
 namespace membrane {
 namespace {
-
-constexpr int most_cuts = 12;            // failed attempts on the way to one level
-constexpr int most_contact_rounds = 40;  // updates of the contact forces at one value
 
 /// Where a search for an equilibrium ended, converged or not.
 struct Attempt {
@@ -70,7 +68,7 @@ class LoadPath {
   Attempt reach(double level) {
     return membrane::reach(
         level, [&](double value) { return attempt(value); }, [&](double value) { return drive_->between(value); },
-        [](int cuts) { return cuts < most_cuts; },
+        [](int cuts) { return cuts < PathTuning::most_cuts; },
         [&](double missed, double next, const Equilibrium& why) {
           report_.cuts.push_back(cut_note(missed, next, why));
         });
@@ -88,14 +86,14 @@ class LoadPath {
   Equilibrium settle(const Target& target, Eigen::VectorXd& u) {
     Equilibrium at = newton_.solve(target, u);
     int iterations = at.iterations;
-    for (int round = 0; at.converged && round < most_contact_rounds; ++round) {
+    for (int round = 0; at.converged && round < ContactTuning::most_rounds; ++round) {
       bool settled = true;
       for (Obstacle* obstacle : model_.obstacles())
         if (obstacle->update_multipliers(u) > obstacle->tolerance_A()) settled = false;
       if (settled) break;
       at = newton_.solve(target, u, FirstFactor::kept);
       iterations += at.iterations;
-      if (round + 1 == most_contact_rounds && at.converged) {
+      if (round + 1 == ContactTuning::most_rounds && at.converged) {
         at.converged = false;
         at.reason = "the contact does not settle";
       }

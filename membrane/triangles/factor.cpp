@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "membrane/triangles/tuning.hpp"
+
 namespace membrane {
 namespace {
-
-constexpr double smallest_shift = 1e-10;  // of the largest diagonal entry
 
 /// CHOLMOD 3 opens four OpenMP threads for every supernode, whatever OMP_NUM_THREADS says; for matrices of
 /// this size they only wait for each other (twice the time), and other models want the cores. Without an
@@ -36,7 +36,9 @@ Factor::Factor() {
 /// solution, which waits for memory, does its four per entry.
 int Factor::steps_worth() const {
   const cholmod_common& counts = cholesky_.cholmod();
-  return counts.lnz > 0 ? std::clamp(static_cast<int>(counts.fl / (48 * counts.lnz)), 3, 12) : 3;
+  if (!(counts.lnz > 0)) return FactorTuning::fewest_steps;
+  return std::clamp(static_cast<int>(counts.fl / (FactorTuning::operations_per_entry * counts.lnz)),
+                    FactorTuning::fewest_steps, FactorTuning::most_steps);
 }
 
 bool Factor::attempt(const Matrix& lower, double shift) {
@@ -58,6 +60,8 @@ bool Factor::factorise(const Matrix& lower, double damping) {
   return attempt(lower, damping == 0 ? 0 : damping * scale_of(lower));
 }
 
-bool Factor::factorise_singular(const Matrix& lower) { return attempt(lower, smallest_shift * scale_of(lower)); }
+bool Factor::factorise_singular(const Matrix& lower) {
+  return attempt(lower, FactorTuning::smallest_shift * scale_of(lower));
+}
 
 }  // namespace membrane

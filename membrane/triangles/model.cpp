@@ -7,16 +7,10 @@
 #include "membrane/base/refusal.hpp"
 #include "membrane/laws/prestress.hpp"
 #include "membrane/laws/principal.hpp"
+#include "membrane/triangles/tuning.hpp"
 
 namespace membrane {
 namespace {
-
-/// Contact stiffness over the sheet modulus: above that of the sheet's elements, so that few updates of the multipliers
-/// settle a contact, and not so far that it spoils the tangent's condition.
-constexpr double contact_stiffness = 10;
-
-/// Contact radius over the sphere's at strong indentation: inside, rings are equally wide.
-constexpr double likely_contact = 0.5;
 
 /// A round sheet of an isotropic law under a round load looks the same from every side: the prestress is
 /// turned to its own axes, which makes the two planes of the quarter planes of symmetry for any prestress.
@@ -39,7 +33,7 @@ struct TraitsOf {
   Traits operator()(const CentreForce&) const { return {.at_centre = true}; }
   Traits operator()(const SpreadForce& spread) const { return {.edge_A = spread.radius_A}; }
   Traits operator()(const RigidSphere& sphere) const {
-    return {.edge_A = likely_contact * sphere.radius_A, .sphere_radius_A = sphere.radius_A};
+    return {.edge_A = ContactTuning::likely_radius * sphere.radius_A, .sphere_radius_A = sphere.radius_A};
   }
   Traits operator()(const FollowerPressure&) const { return {}; }
   Traits operator()(const EdgeMotion& motion) const { return {.in_plane = motion.in_plane()}; }
@@ -79,7 +73,8 @@ double layer_A(const Problem& problem) {
 
 Material material_of(const Problem& problem, const Mesh& mesh) {
   const Voigt prestress = prestress_on_axes(problem, mesh);
-  const Voigt offset = std::visit([&](const auto& law) { return offset_strain(law, prestress); }, problem.law);
+  const Voigt offset =
+      std::visit([&]<MaterialLaw L>(const L& law) { return offset_strain(law, prestress); }, problem.law);
   if (!offset.allFinite()) refuse("prestress_eV_per_A2", prestress.transpose(), "the law cannot carry this prestress");
   return {problem.law, offset, problem.relaxed};
 }
@@ -99,7 +94,7 @@ Model::Model(const Problem& problem)
       stretching_(mesh_, material_of(problem, mesh_)),
       pressure_(mesh_),
       sphere_radius_A_(traits_of(problem.load).sphere_radius_A) {
-  const double stiffness = contact_stiffness * sheet_modulus(problem.law);
+  const double stiffness = ContactTuning::stiffness * sheet_modulus(problem.law);
   std::vector<EnergyTerm*> terms{&stretching_, &pressure_};
   if (sphere_radius_A_ > 0) {
     sphere_ = std::make_unique<SphereObstacle>(mesh_, sphere_radius_A_, stiffness);

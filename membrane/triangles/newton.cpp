@@ -6,14 +6,12 @@
 #include <utility>
 
 #include "membrane/base/line_search.hpp"
+#include "membrane/triangles/tuning.hpp"
 
 namespace membrane {
 namespace {
 
-constexpr double rounding = 3e-14;  // of the triangles' forces on the nodes: no residual gets below it
-constexpr double energy_rounding = 1e-15;
-constexpr double energy_noise = 1e-12;  // relative; below it energies do not tell better from worse
-constexpr double least_damping = 1e-7;  // of the largest diagonal entry of the tangent
+using Tuning = NewtonTuning;
 
 /// A sheet that is slack at the given depth carries no load and has no residual.
 double relative(double residual, double load) { return residual == 0 ? 0 : residual / load; }
@@ -37,10 +35,10 @@ bool Newton::factorise(const Eigen::VectorXd& u) {
   pivot_sign_ = 0;
   if (factor_.factorise_singular(total_.hessian(u))) return true;
   pivot_sign_ = -1;
-  for (double share : {0.03, 0.1, 0.3})
+  for (double share : Tuning::softened)
     if (factor_.factorise(total_.hessian(u, share), damping_)) return true;
   const Hessian::Matrix& positive = total_.hessian(u, 1);
-  for (; damping_ <= 1; damping_ = std::max(10 * damping_, least_damping))
+  for (; damping_ <= 1; damping_ = std::max(Tuning::damping_growth * damping_, Tuning::least_damping))
     if (factor_.factorise(positive, damping_)) return true;
   damping_ = 0;
   return false;
@@ -89,7 +87,7 @@ void Newton::measure(const Target& target, Equilibrium& at) {
   const double residual = residual_.norm();
   at.relative_residual = relative(residual, load_norm(at.force_eV_per_A));
   at.converged = std::isfinite(residual) && ((at.relative_residual <= options_.relative_residual && balanced()) ||
-                                             residual <= rounding * total_.part_norm());
+                                             residual <= Tuning::rounding * total_.part_norm());
 }
 
 /// A curved depth's direction turns with u, and what the multiplier found missing of its force belongs to its
@@ -107,24 +105,24 @@ void Newton::follow_curve(const Target& target, const Eigen::VectorXd& u) {
 /// A short step says that the tangent promised too much: the next ones are held shorter. Wrinkled and slack zones of a
 /// sheet that is free to slide leave valleys without curvature, in which undamped steps are long and go nowhere.
 void Newton::adapt_damping(double step_length) {
-  if (step_length < 0.3)
-    damping_ = std::max(4 * damping_, least_damping);
+  if (step_length < Tuning::short_step)
+    damping_ = std::max(Tuning::damping_pace * damping_, Tuning::least_damping);
   else if (step_length == 1)
-    damping_ = damping_ > least_damping ? damping_ / 4 : 0;
+    damping_ = damping_ > Tuning::least_damping ? damping_ / Tuning::damping_pace : 0;
 }
 
 /// Moves u, energy_ and gradient_ along step_ as far as the potential energy U − F d falls enough.
 bool Newton::move(const Target& target, Eigen::VectorXd& u) {
   const double work = multiplier_ * direction_.dot(step_);
   double trial_energy = 0;
-  const double length = line_search(residual_.dot(step_), [&](double length) {
-    trial_ = u + length * step_;
+  const double length = line_search(residual_.dot(step_), [&](double share) {
+    trial_ = u + share * step_;
     if (target.curved) target.curved->restore(target.value, trial_);
     trial_energy = total_.energy(trial_, trial_gradient_);
-    return Trial{
-        .change = trial_energy - energy_ - length * work,
-        .noise = energy_noise * (std::abs(energy_) + std::abs(length * work)) + energy_rounding * total_.counted_from(),
-        .slope = trial_gradient_.dot(step_) - work};
+    return Trial{.change = trial_energy - energy_ - share * work,
+                 .noise = Tuning::energy_noise * (std::abs(energy_) + std::abs(share * work)) +
+                          Tuning::energy_rounding * total_.counted_from(),
+                 .slope = trial_gradient_.dot(step_) - work};
   });
   if (length == 0) return false;
   adapt_damping(length);
@@ -167,8 +165,8 @@ Equilibrium Newton::solve(const Target& target, Eigen::VectorXd& u, FirstFactor 
       ++at.iterations;
       before = at.relative_residual;
       fresh = false;
-    } else if (fresh && damping_ < 0.1) {
-      damping_ = std::max(100 * damping_, least_damping);
+    } else if (fresh && damping_ < Tuning::most_damping) {
+      damping_ = std::max(Tuning::stuck_growth * damping_, Tuning::least_damping);
       wants_factor = true;
     } else if (fresh) {
       at.reason = "the line search found no lower potential energy";

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "membrane/triangles/tuning.hpp"
+
 namespace membrane {
-namespace {
-
-constexpr std::size_t most_points = 4;  // a higher polynomial gains nothing over steps of ordinary length
-
-}  // namespace
 
 void Predictor::add(PathPoint point) {
   std::erase_if(points_, [&](const PathPoint& old) {  // coincident abscissae have no polynomial
     return std::abs(old.conjugate_depth_A - point.conjugate_depth_A) < 1e-6 * std::abs(point.conjugate_depth_A);
   });
   points_.push_back(std::move(point));
-  if (points_.size() > most_points) points_.pop_front();
+  if (points_.size() > PathTuning::most_points) points_.pop_front();
 }
 
 /// A polynomial reaches as far ahead as its points lie apart; beyond that one point is the better guide.
@@ -28,7 +25,7 @@ std::size_t Predictor::points_that_reach(double conjugate_depth_A) const {
     const double span = high->conjugate_depth_A - low->conjugate_depth_A;
     const double ahead =
         std::max(conjugate_depth_A - high->conjugate_depth_A, low->conjugate_depth_A - conjugate_depth_A);
-    if (ahead <= 1.01 * span) return count;
+    if (ahead <= PathTuning::farthest * span) return count;
   }
   return 1;
 }
@@ -58,9 +55,8 @@ Eigen::VectorXd Predictor::displacements(double conjugate_depth_A) const {
 double Predictor::conjugate_depth(double force_eV_per_A) const {
   const PathPoint& from = last();
   const double reach = std::log(force_eV_per_A / from.force_eV_per_A);
-  // Between a force that stretches (1/3) and one that only tilts (1); a shifted factor may say anything else.
   const double known = from.compliance * from.force_eV_per_A / from.conjugate_depth_A;
-  const double slope = known > 0 ? std::clamp(known, 0.2, 1.2) : 1.0 / 3;
+  const double slope = known > 0 ? std::clamp(known, PathTuning::least_slope, PathTuning::most_slope) : 1.0 / 3;
   double curvature = 0;
   if (points_.size() > 1) {
     const PathPoint& before = *(points_.end() - 2);
@@ -68,8 +64,7 @@ double Predictor::conjugate_depth(double force_eV_per_A) const {
     const double fall = std::log(before.conjugate_depth_A / from.conjugate_depth_A);
     if (std::abs(back) > 1e-6) curvature = (fall - slope * back) / (back * back);
   }
-  // The parabola is a local guess: never let its bend outweigh the slope.
-  const double bend = std::clamp(curvature * reach, -0.5 * slope, 0.5 * slope);
+  const double bend = std::clamp(curvature * reach, -PathTuning::most_bend * slope, PathTuning::most_bend * slope);
   return from.conjugate_depth_A * std::exp((slope + bend) * reach);
 }
 

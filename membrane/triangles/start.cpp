@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "membrane/triangles/tuning.hpp"
+
 namespace membrane {
 namespace {
-
-/// Artificial pretension over the sheet modulus. Only the shape is used: any tension gives the same one.
-constexpr double stiffening = 0.01;
 
 /// Distance of the farthest node from the origin, Å: the scale of small displacements.
 double size_of(const Mesh& mesh) {
@@ -22,8 +21,8 @@ template <class Call>
 Eigen::VectorXd StiffenedSheet::while_stiffened(Call call) {
   const Material material = model_.stretching().material();
   const double modulus = sheet_modulus(material.law);
-  const double nu = std::visit([](const auto& law) -> double { return law.nu; }, material.law);
-  const double strain = stiffening * (1 - std::min(nu, 0.5));
+  const double nu = poisson_ratio(material.law);
+  const double strain = StartTuning::stiffening * (1 - std::min(nu, 0.5));
   model_.stretching().set_material({StVenantKirchhoff{modulus, std::min(nu, 0.5)}, Voigt(strain, strain, 0), false});
   Eigen::VectorXd answer = call();
   model_.stretching().set_material(material);
@@ -41,7 +40,7 @@ Eigen::VectorXd StiffenedSheet::under_forces(const Eigen::VectorXd& forces) {
 /// The forces that a held displacement causes inside come from a difference of gradients.
 Eigen::VectorXd StiffenedSheet::under_motion(const Eigen::VectorXd& held_displacements) {
   return while_stiffened([&] {
-    const double small = 1e-7 * size_of(model_.mesh()) / held_displacements.cwiseAbs().maxCoeff();
+    const double small = StartTuning::small_motion * size_of(model_.mesh()) / held_displacements.cwiseAbs().maxCoeff();
     Eigen::VectorXd at_rest, moved;
     model_.energy().energy(Eigen::VectorXd::Zero(held_displacements.size()), at_rest);
     model_.energy().energy(small * held_displacements, moved);
@@ -64,7 +63,7 @@ double balanced_amplitude(Model& model, const Eigen::VectorXd& shape, const Eige
     low = high;
     high *= 2;
   }
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < StartTuning::bisections; ++i) {
     const double middle = 0.5 * (low + high);
     (slope(middle) < 0 ? low : high) = middle;
   }
