@@ -78,7 +78,7 @@ struct Step {
   bool converged = false;
   double depth_A = 0;            ///< −z at record_radius_A
   double conjugate_depth_A = 0;  ///< Σ p_i (−z_i) of the load pattern; of a sphere its own, of a pressure volume / area
-  double force_eV_per_A = 0;     ///< of a pattern or a sphere; else 0
+  double force_eV_per_A = 0;     ///< of a pattern or a sphere; of a pressure by its volume p A; else 0
   double pressure_eV_per_A3 = 0;
   double volume_A3 = 0;          ///< between the sheet and its plane, positive on the side of −z
   double energy_eV = 0;          ///< stretching and bending, relative to the flat, prestressed sheet
