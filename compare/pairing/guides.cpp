@@ -4,13 +4,13 @@
 
 namespace validate {
 
-std::vector<atomistic::Guide> guides_from(const membrane::axisymmetric::SheetProblem& problem) {
+std::vector<atomistic::Guide> guides_from(const membrane::Problem& problem) {
   constexpr double spacing_A = 0.5;  // a third of a bond
   std::vector<atomistic::Guide> guides;
-  membrane::axisymmetric::solve(problem, [&](const membrane::axisymmetric::SheetStep& step) {
+  membrane::solve(problem, [&](const membrane::Step& step) {
     if (!step.converged) return false;
     std::vector<double> radius, outward, depth;
-    for (const membrane::axisymmetric::SheetPoint& point : step.points) {
+    for (const membrane::MeridianPoint& point : step.on_meridian()) {
       radius.push_back(point.radius_A);
       outward.push_back(point.displacement_A);
       depth.push_back(point.depth_A);

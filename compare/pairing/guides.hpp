@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "atomistic/problem.hpp"
-#include "membrane/meridian/sheet.hpp"
+#include "membrane/problem.hpp"
 
 namespace validate {
 
-/// The shapes of a continuum at its levels, as far as it goes.
-std::vector<atomistic::Guide> guides_from(const membrane::axisymmetric::SheetProblem& problem);
+/// The shapes of a continuum on a meridian at its levels, as far as it goes.
+std::vector<atomistic::Guide> guides_from(const membrane::Problem& problem);
 
 }  // namespace validate

@@ -9,8 +9,6 @@
 namespace validate {
 namespace {
 
-namespace axi = membrane::axisymmetric;
-
 /// The sheet that a membrane is meshed on, for half lengths (of a disc: its radius twice). Under an indenter a disc's
 /// rings are narrow at the tip, under a pressure they are even.
 membrane::Sheet membrane_sheet(const Case& c, LoadKind load, const Eigen::Vector2d& half_A) {
@@ -51,14 +49,13 @@ ContinuumExperiment plain_membrane(const Case& c, LoadKind load, Purpose purpose
   e.run.Eh_eV_per_A2 = Eh;
   e.run.nu = nu;
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
-  membrane::Problem problem;
+  membrane::Problem& problem = e.problem;
   problem.sheet = membrane_sheet(c, load, half_A);
   problem.law = membrane::StVenantKirchhoff{Eh, nu};
   problem.prestress_eV_per_A2 = c.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
   problem.relaxed = !c.unrelaxed;
   problem.load = pattern;
   problem.control = prescribes_force(c, load) ? membrane::Control::force : membrane::Control::conjugate_depth;
-  e.problem = problem;
   return e;
 }
 
@@ -67,8 +64,7 @@ ContinuumExperiment like_for_like(const Case& c, const Material& m, LoadKind loa
       plain_membrane(c, load, Purpose::like_for_like, Constants::card, m.sheet.half_A(), twin_of(c, m.sheet, load),
                      m.card.card.sheet_modulus_eV_per_A2(), m.card.card.nu());
   // A square's grid has no circle to take the depth at, and one bond is next to nothing there.
-  if (c.shape == Shape::disc)
-    e.run.record_radius_A = std::get<membrane::Problem>(e.problem).record_radius_A = m.sheet.sheet().bond_A;
+  if (c.shape == Shape::disc) e.run.record_radius_A = e.problem.record_radius_A = m.sheet.sheet().bond_A;
   e.thickness_A = c.thickness_A.value_or(graphite_spacing_A);
   return e;
 }
@@ -89,13 +85,6 @@ ContinuumExperiment given_membrane(const Case& c, LoadKind load) {
   return e;
 }
 
-axi::Load in_one_dimension(const membrane::Load& load) {
-  if (const auto* disc = std::get_if<membrane::DiscLoad>(&load)) return axi::DiscLoad{disc->radius_A};
-  if (const auto* sphere = std::get_if<membrane::SphereLoad>(&load)) return axi::SphereLoad{sphere->radius_A};
-  if (std::holds_alternative<membrane::PressureLoad>(load)) return axi::PressureLoad{};
-  return axi::PointLoad{};
-}
-
 /// A clamped disc in one dimension on the atoms' radii, its law still missing.
 ContinuumExperiment round_sheet(const Case& c, const Material& m, LoadKind load, Purpose purpose, Model model,
                                 Constants constants) {
@@ -111,17 +100,16 @@ ContinuumExperiment round_sheet(const Case& c, const Material& m, LoadKind load,
   e.run.nu = card.nu();
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
   e.run.record_radius_A = m.sheet.sheet().bond_A;
-  axi::SheetProblem problem;
-  problem.radius_A = e.run.a_A;
-  problem.load = in_one_dimension(twin_of(c, m.sheet, load));
-  problem.pretension_eV_per_A2 = c.pretension_eV_per_A2;
-  problem.record_radius_A = e.run.record_radius_A;
-  problem.control = prescribes_force(c, load) ? axi::Control::force : axi::Control::conjugate_depth;
+  e.problem.discretisation = membrane::Meridian{};
+  e.problem.sheet = membrane::DiscSheet{e.run.a_A};
+  e.problem.load = twin_of(c, m.sheet, load);
+  e.problem.prestress_eV_per_A2 = c.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
+  e.problem.record_radius_A = e.run.record_radius_A;
+  e.problem.control = prescribes_force(c, load) ? membrane::Control::force : membrane::Control::conjugate_depth;
   if (model == Model::sheet) {
-    problem.relaxed = false;
-    problem.bending_modulus_eV = card.bending_modulus_eV();
+    e.problem.relaxed = false;
+    e.problem.bending = membrane::clamped_all_round(card.bending_modulus_eV());
   }
-  e.problem = problem;
   return e;
 }
 
@@ -139,13 +127,13 @@ ContinuumExperiment calibrated(const Case& c, const Material& m, LoadKind load, 
   constexpr double beyond_A = 0.03;
   const CalibratedLaw& law = *m.card.law;
   ContinuumExperiment e = round_sheet(c, m, load, purpose, model, Constants::calibrated);
-  auto& problem = std::get<axi::SheetProblem>(e.problem);
   e.stretch = 1 + m.sheet.biaxial_strain();
   const double strain = (e.stretch * e.stretch - 1) / 2;
-  problem.law = prestretched(law.law, e.stretch);
-  problem.pretension_eV_per_A2 = law.law({strain, strain, 0}).force_eV_per_A2[0];
-  problem.bending_modulus_eV /= e.stretch * e.stretch;
-  e.run.pretension_eV_per_A2 = problem.pretension_eV_per_A2;
+  e.run.pretension_eV_per_A2 = law.law({strain, strain, 0}).force_eV_per_A2[0];
+  e.problem.law = prestretched(law.law, e.stretch);
+  e.problem.prestress_eV_per_A2 = e.run.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
+  if (model == Model::sheet)
+    e.problem.bending = membrane::clamped_all_round(m.card.card.bending_modulus_eV() / (e.stretch * e.stretch));
   e.longest_bond = law.longest_bond;
   e.last_bond_A = m.file.potential.artefact_bond_A + beyond_A;
   return e;
@@ -154,11 +142,11 @@ ContinuumExperiment calibrated(const Case& c, const Material& m, LoadKind load, 
 ContinuumExperiment stage(const Case& c, const Material& m, LoadKind load, Purpose purpose) {
   const Model model = purpose == Purpose::bending ? Model::sheet : Model::membrane;
   ContinuumExperiment e = round_sheet(c, m, load, purpose, model, Constants::card);
-  auto& problem = std::get<axi::SheetProblem>(e.problem);
-  problem.law = membrane::StVenantKirchhoff{e.run.Eh_eV_per_A2, e.run.nu};
+  e.problem.law = membrane::StVenantKirchhoff{e.run.Eh_eV_per_A2, e.run.nu};
   if (purpose != Purpose::nominal_radii) return e;
-  e.run.a_A = problem.radius_A = c.radius_A;
-  problem.load = in_one_dimension(nominal_load(c, load));
+  e.run.a_A = c.radius_A;
+  e.problem.sheet = membrane::DiscSheet{c.radius_A};
+  e.problem.load = nominal_load(c, load);
   return e;
 }
 

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "atomistic/problem.hpp"
@@ -14,7 +13,6 @@
 #include "compare/potential/law/calibrated_law.hpp"
 #include "compare/potential/potential_card.hpp"
 #include "compare/results/run.hpp"
-#include "membrane/meridian/sheet.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
@@ -41,7 +39,7 @@ enum class Purpose {
 struct ContinuumExperiment {
   Purpose purpose = Purpose::given;
   Run run;
-  std::variant<membrane::Problem, membrane::axisymmetric::SheetProblem> problem;
+  membrane::Problem problem;
   double thickness_A = graphite_spacing_A;  ///< that stresses are over
   std::optional<LongestBond> longest_bond;  ///< where the law knows it
   double stretch = 1;                       ///< of the flat sheet, which the bond's strains must count

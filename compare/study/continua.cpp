@@ -16,13 +16,10 @@
 namespace validate {
 namespace {
 
-namespace axi = membrane::axisymmetric;
-
 /// At a few depths as far as the law holds, which is enough for something so small and smooth. Dead loads only.
 Anisotropy anisotropy_of(const ContinuumExperiment& sheet, const CalibratedLaw& law) {
   constexpr int parts = 3;
-  const auto& problem = std::get<axi::SheetProblem>(sheet.problem);
-  const auto* disc = std::get_if<axi::DiscLoad>(&problem.load);
+  const auto* disc = std::get_if<membrane::DiscLoad>(&sheet.problem.load);
   if (!disc || sheet.run.conjugate_depth_A.empty() || law.sixfold.terms.empty()) return {};
   Anisotropy found;
   double deepest = 0;
@@ -31,7 +28,7 @@ Anisotropy anisotropy_of(const ContinuumExperiment& sheet, const CalibratedLaw& 
       deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
   if (!(deepest > 0)) return {};
   for (int i = 1; i <= parts; ++i) found.conjugate_depth_A.push_back(deepest * i / parts);
-  found.ratio = anisotropy_ratios(law, problem.radius_A, disc->radius_A, found.conjugate_depth_A);
+  found.ratio = anisotropy_ratios(law, sheet.run.a_A, disc->radius_A, found.conjugate_depth_A);
   found.conjugate_depth_A.resize(found.ratio.size());
   return found;
 }
@@ -57,7 +54,8 @@ void append_extremes(ContinuumPart& part, const SheetPicture& picture) {
   part.stress_2_max_eV_per_A3.push_back(std::ranges::max(smaller));
 }
 
-void solve_triangles(ContinuumExperiment& e, const membrane::Problem& problem, bool all_fields) {
+void solve_triangles(ContinuumExperiment& e, bool all_fields) {
+  const membrane::Problem& problem = e.problem;
   const bool pressed = e.run.load == LoadKind::pressure;
   SheetAlbum album(problem, e.thickness_A, all_fields || pressed);
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
@@ -67,12 +65,13 @@ void solve_triangles(ContinuumExperiment& e, const membrane::Problem& problem, b
     return !interrupted();
   });
   close(e.run, report);
+  e.run.continuum().triangles = report.elements;
   e.run.continuum().pictures = std::make_shared<const std::vector<SheetPicture>>(album.pictures());
 }
 
-void solve_meridian(ContinuumExperiment& e, const axi::SheetProblem& problem) {
+void solve_meridian(ContinuumExperiment& e) {
   bool left_the_law = false;
-  const axi::SheetReport report = axi::solve(problem, [&](const axi::SheetStep& step) {
+  const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
     if (!step.converged) return false;
     append(e.run, step, e.longest_bond, e.stretch);
     left_the_law = e.longest_bond && e.run.longest_bond_A.back() >= e.last_bond_A;
@@ -91,13 +90,17 @@ void solve_meridian(ContinuumExperiment& e, const axi::SheetProblem& problem) {
   e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", bonds.back());
 }
 
+bool on_triangles(const ContinuumExperiment& e) {
+  return std::holds_alternative<membrane::Triangles>(e.problem.discretisation);
+}
+
 /// Triangles first, since they are slow; the calibrated sheet before what only explains it.
 std::vector<ContinuumExperiment*> in_order(std::vector<PairedLoad>& loads) {
   std::vector<ContinuumExperiment*> order;
   const auto add = [&](bool triangles) {
     for (PairedLoad& load : loads)
       for (ContinuumExperiment& e : load.continua)
-        if (std::holds_alternative<membrane::Problem>(e.problem) == triangles) order.push_back(&e);
+        if (on_triangles(e) == triangles) order.push_back(&e);
   };
   add(true);
   add(false);
@@ -107,10 +110,10 @@ std::vector<ContinuumExperiment*> in_order(std::vector<PairedLoad>& loads) {
 }  // namespace
 
 void solve(ContinuumExperiment& e, bool all_fields) {
-  if (const auto* triangles = std::get_if<membrane::Problem>(&e.problem))
-    solve_triangles(e, *triangles, all_fields);
+  if (on_triangles(e))
+    solve_triangles(e, all_fields);
   else
-    solve_meridian(e, std::get<axi::SheetProblem>(e.problem));
+    solve_meridian(e);
 }
 
 Continua::Continua(std::vector<PairedLoad>& loads, const CalibratedLaw* law, bool all_fields)

@@ -1,7 +1,6 @@
 #include "compare/study/curves.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 namespace validate {
@@ -34,7 +33,7 @@ namespace {
 /// Green–Lagrange strain counted from the lattice at rest, of a sheet that was stretched when flat.
 double from_rest(double strain, double stretch) { return stretch * stretch * strain + (stretch * stretch - 1) / 2; }
 
-double longest(const LongestBond& bond, const std::vector<membrane::axisymmetric::SheetPoint>& points, double stretch) {
+double longest(const LongestBond& bond, const std::vector<membrane::MeridianPoint>& points, double stretch) {
   double found = bond.rest_A;
   for (const auto& p : points)
     found = std::max(found, bond(from_rest(p.radial_strain, stretch), from_rest(p.hoop_strain, stretch)));
@@ -43,17 +42,9 @@ double longest(const LongestBond& bond, const std::vector<membrane::axisymmetric
 
 }  // namespace
 
-void append(Run& run, const membrane::axisymmetric::SheetStep& step, const std::optional<LongestBond>& longest_bond,
-            double stretch) {
-  run.depth_A.push_back(step.depth_A);
-  run.conjugate_depth_A.push_back(step.conjugate_depth_A);
-  run.force_eV_per_A.push_back(step.force_eV_per_A);
-  run.energy_eV.push_back(step.energy_eV);
-  run.converged.push_back(step.converged);
-  run.continuum().newton_iterations.push_back(step.iterations);
-  if (run.load == LoadKind::pressure)
-    press(run, step.pressure_eV_per_A3, step.volume_A3, std::numbers::pi * run.a_A * run.a_A);
-  if (longest_bond) run.longest_bond_A.push_back(longest(*longest_bond, step.points, stretch));
+void append(Run& run, const membrane::Step& step, const std::optional<LongestBond>& longest_bond, double stretch) {
+  append(run, step);
+  if (longest_bond) run.longest_bond_A.push_back(longest(*longest_bond, step.on_meridian(), stretch));
 }
 
 void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
@@ -106,13 +97,6 @@ Unloading unloading_of(const Run& run, const std::vector<atomistic::Step>& steps
 }
 
 void close(Run& run, const membrane::Report& report) {
-  run.continuum().triangles = report.triangles;
-  run.continuum().factorisations = report.factorisations;
-  run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
-  run.ended_reason = report.reason;
-}
-
-void close(Run& run, const membrane::axisymmetric::SheetReport& report) {
   run.continuum().factorisations = report.factorisations;
   run.ended = report.converged ? Ended::depth_max : Ended::not_converged;
   run.ended_reason = report.reason;

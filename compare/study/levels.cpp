@@ -134,9 +134,7 @@ Levels beside(const Case& c, Purpose purpose, LoadKind load, const Levels& level
 
 }  // namespace
 
-void set_levels(ContinuumExperiment& e, const Levels& levels) {
-  std::visit([&](auto& problem) { problem.levels = levels; }, e.problem);
-}
+void set_levels(ContinuumExperiment& e, const Levels& levels) { e.problem.levels = levels; }
 
 void set_levels(const Case& c, PairedLoad& pair) {
   const Levels levels = merged(levels_of(c, pair.load), window_levels(c, pair));
@@ -145,7 +143,7 @@ void set_levels(const Case& c, PairedLoad& pair) {
   pair.atoms->problem.levels = levels;
   if (!pair.guide) return;
   set_levels(*pair.guide, levels);
-  pair.atoms->problem.guides = guides_from(std::get<membrane::axisymmetric::SheetProblem>(pair.guide->problem));
+  pair.atoms->problem.guides = guides_from(pair.guide->problem);
 }
 
 }  // namespace validate

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,7 +10,11 @@
 #include "compare/base/units.hpp"
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/texts/batch_table.hpp"
+#include "compare/documents/texts/card_files.hpp"
 #include "compare/documents/texts/json.hpp"
+#include "compare/documents/texts/measured_report.hpp"
+#include "compare/documents/texts/pressed_table.hpp"
 
 namespace validate {
 namespace {
@@ -299,10 +304,56 @@ std::string provenance(const Result& result) {
 
 }  // namespace
 
+namespace {
+
+std::string preformatted(const std::string& text) { return "<pre>" + html::escaped(text) + "</pre>\n"; }
+
+/// What the terminal shows of a command that is no experiment.
+std::string shown_on_terminal(const Result& result) {
+  std::string text;
+  switch (result.command) {
+    case Command::fit:
+      for (const FittedCurve& curve : result.curves) text += measured_text(curve) + "\n";
+      return text;
+    case Command::potential:
+      return card_table(result);
+    case Command::batch:
+      return batch_table(result);
+    case Command::indentation:
+    case Command::bulge:
+    case Command::figure:
+    case Command::verify:
+      return {};
+  }
+  return {};
+}
+
+/// The cases' own pages, beside the batch's.
+std::string links(const Result& batch) {
+  std::string text;
+  for (const CaseOutcome& one : batch.cases)
+    text += fmt::format("<li><a href=\"{0}/report.html\">{0}</a>: exit code {1}</li>\n", html::escaped(one.folder),
+                        one.exit_code);
+  return text.empty() ? text : "<ul>\n" + text + "</ul>\n";
+}
+
+std::string experiment_body(const Result& result, const std::vector<ReportFigure>& figures) {
+  const std::string pressed = pressed_table(result);
+  const bool indented = std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
+  return heading(result) + (indented ? verdict(result) + headline_tables(result) : std::string()) +
+         (pressed.empty() ? pressed : preformatted(pressed)) + figures_html(figures) + comparisons(result) +
+         fits(result) + quality(result) + provenance(result);
+}
+
+}  // namespace
+
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures) {
-  const std::string body = heading(result) + verdict(result) + headline_tables(result) + figures_html(figures) +
-                           comparisons(result) + fits(result) + quality(result) + provenance(result);
-  return html::page(fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A), body);
+  if (result.is_experiment())
+    return html::page(fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A),
+                      experiment_body(result, figures));
+  return html::page(fmt::format("validate {}", result.command),
+                    fmt::format("<h1>validate {}</h1>\n", result.command) + preformatted(shown_on_terminal(result)) +
+                        links(result) + (figures.empty() ? std::string() : figures_html(figures)) + provenance(result));
 }
 
 }  // namespace validate
