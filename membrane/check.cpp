@@ -1,7 +1,6 @@
 // What makes a problem unsolvable before anything is computed, on any discretisation.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "membrane/base/refusal.hpp"
@@ -24,17 +23,20 @@ void check_prestress(const Problem& problem) {
 }
 
 /// The symmetry planes of a quarter must be the lattice's, too: zigzag and armchair follow each other every 30°.
-void check_directions(const Problem& problem) {
-  const auto* lattice = std::get_if<CauchyBornSixfold>(&problem.law);
-  if (!lattice || !is_quarter(problem.sheet)) return;
-  const double mirrors = lattice->zigzag_rad / (std::numbers::pi / 6);
-  if (std::abs(mirrors - std::round(mirrors)) > 1e-9)
-    refuse("law.zigzag_rad", lattice->zigzag_rad,
-           "must be a multiple of 30 degrees on a quarter, or its planes are no mirrors of the lattice: mesh the full "
-           "sheet");
-  if (problem.prestress_eV_per_A2(0, 1) != 0)
-    refuse("prestress_eV_per_A2(0,1)", problem.prestress_eV_per_A2(0, 1),
-           "breaks the symmetry of a quarter: mesh the full sheet");
+template <MaterialLaw L>
+void check_directions(const L& law, const Problem& problem) {
+  if constexpr (DirectionalLaw<L>) {
+    if (!is_quarter(problem.sheet)) return;
+    const double mirrors = law.zigzag_rad / (std::numbers::pi / 6);
+    if (std::abs(mirrors - std::round(mirrors)) > 1e-9)
+      refuse(
+          "law.zigzag_rad", law.zigzag_rad,
+          "must be a multiple of 30 degrees on a quarter, or its planes are no mirrors of the lattice: mesh the full "
+          "sheet");
+    if (problem.prestress_eV_per_A2(0, 1) != 0)
+      refuse("prestress_eV_per_A2(0,1)", problem.prestress_eV_per_A2(0, 1),
+             "breaks the symmetry of a quarter: mesh the full sheet");
+  }
 }
 
 bool compressive(const Eigen::Matrix2d& prestress) {
@@ -64,7 +66,7 @@ void check(const Problem& problem) {
   if (problem.bending && problem.relaxed)
     refuse("relaxed", "true", "must be false for a sheet that bends: bending is what limits its compression");
   check_prestress(problem);
-  check_directions(problem);
+  std::visit([&]<MaterialLaw L>(const L& law) { check_directions(law, problem); }, problem.law);
   if (!std::isfinite(problem.pressure_eV_per_A3))
     refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be finite");
   if (problem.pressure_eV_per_A3 != 0) require_closed(problem.sheet, "pressure_eV_per_A3");

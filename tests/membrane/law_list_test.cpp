@@ -22,6 +22,10 @@ std::string refusal(const std::string& name, const LawValues& values) {
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// A law that answers everything but how it is called, since that is said of another law.
+struct Unnamed : StVenantKirchhoff {};
+static_assert(MaterialLaw<Unnamed> && !ListedLaw<Unnamed>);
+
 TEST(LawList, EveryLawHasExamplesWithNamesOfTheirOwn) {
   std::set<std::size_t> laws;
   std::set<std::string> names;

@@ -21,7 +21,7 @@ double slope(const std::vector<Step>& steps, double Step::*along) {
 
 // A law that softens has no lowest energy under a point, and under a small sphere only while strains stay below the
 // law's end, here 0.2 in equal tension.
-TEST(AxisymmetricSheet, ALawThatSoftensFindsItsSphere) {
+TEST(MeridianSheet, ALawThatSoftensFindsItsSphere) {
   for (double tip : {3.63, 5.5, 22.0, 55.0})
     for (double kappa : {0.0, 1.0}) {
       Problem problem = membrane_problem(0, SphereLoad{tip}, {2.2, 6.6, 11, 15.4, 19.8, 22});
@@ -38,7 +38,7 @@ TEST(AxisymmetricSheet, ALawThatSoftensFindsItsSphere) {
     }
 }
 
-TEST(AxisymmetricSheet, ForceIsTheSlopeOfTheEnergyForEveryLawAndLoad) {
+TEST(MeridianSheet, ForceIsTheSlopeOfTheEnergyForEveryLawAndLoad) {
   membrane::testing::over_laws([](const auto& law) {
     if (!is_isotropic(law)) return;
     for (const Load& load : {Load(DiscLoad{10}), Load(SphereLoad{20})})
@@ -58,7 +58,7 @@ TEST(AxisymmetricSheet, ForceIsTheSlopeOfTheEnergyForEveryLawAndLoad) {
   });
 }
 
-TEST(AxisymmetricSheet, IndentationOnTopOfPressure) {
+TEST(MeridianSheet, IndentationOnTopOfPressure) {
   // Pressure from below stiffens: it is a tension. d counts from the flat sheet.
   Problem problem = membrane_problem(0.2, DiscLoad{10}, {2, 4, 6, 5.999, 6.001});
   const double without = run(problem)[2].force_eV_per_A;
@@ -86,7 +86,7 @@ CauchyBorn airebo() {
 // No fitted number: the law of the lattice, the lattice's bending modulus, and the radii of the pairing
 // against what AIREBO's atoms do (LAMMPS, R = 110 Å, 126 loaded atoms: 12.107 Å at 4 eV/Å, 22.680 Å at 24
 // eV/Å, computed separately). St Venant–Kirchhoff instead is 1.6 and 8 % off.
-TEST(AxisymmetricSheet, CalibratedLawWithBendingIsWhatTheAtomsDo) {
+TEST(MeridianSheet, CalibratedLawWithBendingIsWhatTheAtomsDo) {
   const double bond = 2.41924328 / std::sqrt(3.0);
   Problem problem;
   problem.discretisation = Meridian{};
@@ -109,7 +109,7 @@ TEST(AxisymmetricSheet, CalibratedLawWithBendingIsWhatTheAtomsDo) {
   EXPECT_LT(depths().second, 0.98 * 22.680);
 }
 
-TEST(AxisymmetricSheet, WrinkledRimOfANegativePoissonRatio) {
+TEST(MeridianSheet, WrinkledRimOfANegativePoissonRatio) {
   // The membrane's hoops go slack near the rim; relaxed it gives way, so it is softer.
   Problem problem = membrane_problem(-0.158, DiscLoad{10}, {20});
   const Step relaxed = run(problem)[0];
@@ -124,7 +124,7 @@ TEST(AxisymmetricSheet, WrinkledRimOfANegativePoissonRatio) {
   EXPECT_NEAR(first_wrinkled / a, 0.83, 0.03);
 }
 
-TEST(AxisymmetricSheet, BadProblemsAreRefusedByName) {
+TEST(MeridianSheet, BadProblemsAreRefusedByName) {
   const Problem good = plate_problem(DiscLoad{10}, {1});
   const auto expect_refused = [&](auto spoil, const std::string& name) {
     Problem problem = good;

@@ -54,7 +54,7 @@ std::vector<NamedTerm> all_terms() {
 // Rotated by 50°, stretched, curved: nothing is small.
 const LocalState tilted = (LocalState() << 0.4, -0.32, 0.03, 12.0, -0.82, -0.05).finished();
 
-TEST(AxisymmetricTerm, DerivativesAreThoseOfTheEnergy) {
+TEST(MeridianTerm, DerivativesAreThoseOfTheEnergy) {
   Random random;
   for (const auto& [name, density] : all_terms()) {
     SCOPED_TRACE(name);
@@ -77,7 +77,7 @@ LocalState on_curve(double r, double r1, double r2, double z, double z1, double 
   return (LocalState() << r - s, r1 - 1, r2, z, z1, z2).finished();
 }
 
-TEST(AxisymmetricTerm, BendingOfASphereIsExactAtAnyRotationAndStretch) {
+TEST(MeridianTerm, BendingOfASphereIsExactAtAnyRotationAndStretch) {
   const double R = 9;
   for (double pace : {1 / R, 0.7 / R, 1.4 / R})  // angle over reference radius: unstretched, shortened, stretched
     for (double angle : {0.1, 0.8, 1.57, 2.5}) {
@@ -89,14 +89,14 @@ TEST(AxisymmetricTerm, BendingOfASphereIsExactAtAnyRotationAndStretch) {
     }
 }
 
-TEST(AxisymmetricTerm, BendingOfAConeIsThatOfItsHoops) {
+TEST(MeridianTerm, BendingOfAConeIsThatOfItsHoops) {
   const double slope = 1.1;  // angle to the plane
   const double r = 7;
   const LocalState y = on_curve(r, 1.2 * std::cos(slope), 0, -3, -1.2 * std::sin(slope), 0);
   EXPECT_NEAR(Bending{2}(ring, y).value, std::pow(std::sin(slope) / r, 2), 1e-15);
 }
 
-TEST(AxisymmetricTerm, BendingDoesNotSeeHowTheMeridianIsParametrised) {
+TEST(MeridianTerm, BendingDoesNotSeeHowTheMeridianIsParametrised) {
   // A torus-like bend about a circle, walked at an uneven pace: u'' and w'' have parts along the meridian.
   const auto value = [&](double pace, double acceleration) {
     const double angle = 0.6;
@@ -111,7 +111,7 @@ TEST(AxisymmetricTerm, BendingDoesNotSeeHowTheMeridianIsParametrised) {
   EXPECT_NEAR(value(0.35, -0.3), value(0.2, 0), 1e-16);
 }
 
-TEST(AxisymmetricTerm, VolumeOfAConeAndASphericalCap) {
+TEST(MeridianTerm, VolumeOfAConeAndASphericalCap) {
   Problem problem;
   problem.sheet = DiscSheet{10};
   problem.law = StVenantKirchhoff{8, 0.2};
@@ -134,7 +134,7 @@ TEST(AxisymmetricTerm, VolumeOfAConeAndASphericalCap) {
               pi * 25 * (3 * R - 5) / 3, 1e-5);
 }
 
-TEST(AxisymmetricAssembly, GradientAndHessianAreThoseOfTheEnergy) {
+TEST(MeridianAssembly, GradientAndHessianAreThoseOfTheEnergy) {
   Random random;
   Problem problem;
   problem.discretisation = Meridian{};
@@ -196,7 +196,7 @@ TEST(BlockCholesky, SolvesWhatADenseFactorSolves) {
   EXPECT_FALSE(factor.factorise(K, 30));
 }
 
-TEST(AxisymmetricMesh, FollowsItsFoci) {
+TEST(MeridianMesh, FollowsItsFoci) {
   const std::vector<Focus> foci{{0, 0, 0.5}, {10, 10, 0.2}, {100, 100, 0.7}};
   const auto radii = graded_radii(100, {10}, foci, 0.3, 4);
   EXPECT_EQ(radii.front(), 0);

@@ -14,7 +14,7 @@ namespace {
 using namespace testing;
 using std::numbers::pi;
 
-TEST(AxisymmetricMembrane, PointLoadIsSchwerinsExactSolutionAtAnyDepth) {
+TEST(MeridianMembrane, PointLoadIsSchwerinsExactSolutionAtAnyDepth) {
   for (const Step& step : run(membrane_problem(1.0 / 3, PointLoad{}, {0.01 * a, 0.1 * a, 0.3 * a}))) {
     const double delta = step.depth_A;
     const double exact = pi / 3 * modulus * std::pow(delta, 3) / (a * a);
@@ -35,7 +35,7 @@ TEST(AxisymmetricMembrane, PointLoadIsSchwerinsExactSolutionAtAnyDepth) {
 
 // α(ν) of F = α E·h δ³/a² and β(ν) of what pretension adds, β π N0 δ: Föppl–von Kármán, computed separately
 // from r² ψ'' + r ψ' − ψ = −(E·h/2) r w'², ψ w' = −F/2π.
-TEST(AxisymmetricMembrane, PointLoadFactorsOfSmallSlopes) {
+TEST(MeridianMembrane, PointLoadFactorsOfSmallSlopes) {
   for (const auto& [nu, alpha] : {std::pair{0.0, 0.86099}, {0.165, 0.93770}, {0.19, 0.95155}, {0.3, 1.02206}}) {
     const double delta = 2e-3 * a;
     const double F = run(membrane_problem(nu, PointLoad{}, {delta}))[0].force_eV_per_A;
@@ -53,7 +53,7 @@ TEST(AxisymmetricMembrane, PointLoadFactorsOfSmallSlopes) {
   }
 }
 
-TEST(AxisymmetricMembrane, DiscLoadFactors) {
+TEST(MeridianMembrane, DiscLoadFactors) {
   for (const auto& [share, alpha] : {std::pair{0.01, 1.02773}, {0.05, 1.19889}, {10.0 / 110, 1.35188}}) {
     Problem problem = membrane_problem(0.19, DiscLoad{share * a}, {2e-3 * a});
     const Step step = run(problem)[0];
@@ -61,7 +61,7 @@ TEST(AxisymmetricMembrane, DiscLoadFactors) {
   }
 }
 
-TEST(AxisymmetricMembrane, DiscOfTenAngstromOnThePapersSheet) {
+TEST(MeridianMembrane, DiscOfTenAngstromOnThePapersSheet) {
   std::ifstream file(MEMBRANE_TEST_DATA "/case2_disc10.csv");
   std::vector<double> depths, forces, rims;
   for (std::string line; std::getline(file, line);) {
@@ -88,7 +88,7 @@ TEST(AxisymmetricMembrane, DiscOfTenAngstromOnThePapersSheet) {
 
 // Finite St Venant–Kirchhoff, by shooting over the force balance of the deformed meridian, computed
 // separately.
-TEST(AxisymmetricMembrane, DiscAtFiniteStrainUnderPretension) {
+TEST(MeridianMembrane, DiscAtFiniteStrainUnderPretension) {
   Problem problem = membrane_problem(0.19, DiscLoad{11}, {20});
   problem.law = StVenantKirchhoff{8.03368, 0.19};
   problem.prestress_eV_per_A2 = 0.02 * Eigen::Matrix2d::Identity();
@@ -96,7 +96,7 @@ TEST(AxisymmetricMembrane, DiscAtFiniteStrainUnderPretension) {
   EXPECT_NEAR(run(problem)[0].depth_A / 27.162739174, 1, 1e-7);
 }
 
-TEST(AxisymmetricMembrane, ShallowDiscUnderPretension) {
+TEST(MeridianMembrane, ShallowDiscUnderPretension) {
   const double N0 = 0.5;
   for (double c : {0.02 * a, 0.0909 * a}) {
     Problem problem = membrane_problem(0.19, DiscLoad{c}, {1e-3});
@@ -107,7 +107,7 @@ TEST(AxisymmetricMembrane, ShallowDiscUnderPretension) {
   }
 }
 
-TEST(AxisymmetricMembrane, DepthOfRecordAndRadialLoad) {
+TEST(MeridianMembrane, DepthOfRecordAndRadialLoad) {
   // A uniform density is the disc; one that falls to the edge is not.
   Problem problem = membrane_problem(0.19, DiscLoad{11}, {8});
   problem.record_radius_A = 1.42;
@@ -122,7 +122,7 @@ TEST(AxisymmetricMembrane, DepthOfRecordAndRadialLoad) {
   EXPECT_GT(disc.depth_A, 0.99 * disc.on_meridian()[0].depth_A);
 }
 
-TEST(AxisymmetricBulge, Hencky) {
+TEST(MeridianBulge, Hencky) {
   for (const auto& [nu, C] : {std::pair{0.3, 0.653443}, {0.19, 0.679687}}) {
     Problem problem = membrane_problem(nu, PressureLoad{}, {1e-10 * modulus / a});
     EXPECT_NEAR(run(problem)[0].depth_A / (C * a * std::cbrt(1e-10)), 1, 2e-6) << nu;
@@ -130,7 +130,7 @@ TEST(AxisymmetricBulge, Hencky) {
 }
 
 // Finite St Venant–Kirchhoff, follower pressure, clamped: w0/a at pa/E·h, by shooting, computed separately.
-TEST(AxisymmetricBulge, FiniteStrain) {
+TEST(MeridianBulge, FiniteStrain) {
   for (const auto& [nu, load, height] : {std::tuple{0.19, 1e-4, 0.0315554195456},
                                          {0.19, 1e-2, 0.14715508603},
                                          {0.19, 1e-1, 0.322848159809},
@@ -140,7 +140,7 @@ TEST(AxisymmetricBulge, FiniteStrain) {
 
 // Free rim, nothing stretches: the Mylar balloon, w0/R = 0.599070 with R/a = 0.762760 (Paulsen, Am. Math.
 // Monthly 101 (1994) 953, by the lemniscate constant).
-TEST(AxisymmetricBulge, MylarBalloon) {
+TEST(MeridianBulge, MylarBalloon) {
   Problem problem = membrane_problem(0.3, PressureLoad{}, {});
   problem.sheet = DiscSheet{.radius_A = a, .rim = Support::sliding};
   for (double p : {1.0, 1e-2, 1e-4, 1e-6, 1e-8}) problem.levels.push_back(p * modulus / a);
@@ -149,7 +149,7 @@ TEST(AxisymmetricBulge, MylarBalloon) {
   EXPECT_NEAR(1 + last.on_meridian().back().displacement_A / a, 0.762760, 5e-6);
 }
 
-TEST(AxisymmetricSphere, PretensionLimit) {
+TEST(MeridianSphere, PretensionLimit) {
   // F = 2 π N0 b²/Rt, δ = (b²/Rt)(ln(a/b) + ½), b the radius of contact; small slopes.
   const double N0 = 1;
   const double Rt = 40;
@@ -161,7 +161,7 @@ TEST(AxisymmetricSphere, PretensionLimit) {
 
 // The sheet of Gil et al. 2010, Figure 1: a = 500 nm, E·h = 342 N/m, nu = 0.165, N0 = 0.34 N/m; force in nN
 // at a depth in nm, by shooting from the circle where contact ends, computed separately.
-TEST(AxisymmetricSphere, FiniteStrain) {
+TEST(MeridianSphere, FiniteStrain) {
   for (const auto& [radius, depth, force] : {std::tuple{16.5, 20.0, 25.3941763141},
                                              {16.5, 50.0, 212.438291417},
                                              {16.5, 100.0, 1501.11604714},
@@ -176,7 +176,7 @@ TEST(AxisymmetricSphere, FiniteStrain) {
 }
 
 // A sphere so small beside the way between two depths that the sheet could end up on its other side.
-TEST(AxisymmetricSphere, IsNotPassed) {
+TEST(MeridianSphere, IsNotPassed) {
   for (double kappa : {0.0, 0.966}) {
     Problem problem = membrane_problem(0.2, SphereLoad{1}, {10, 20});
     problem.relaxed = kappa == 0;
@@ -193,7 +193,7 @@ TEST(AxisymmetricSphere, IsNotPassed) {
 
 // A pressure beside the sphere: what the rim bears is both; where the pressure alone carries the sheet deeper than the
 // sphere goes, the sphere bears nothing.
-TEST(AxisymmetricSphere, SharesTheSheetWithAPressure) {
+TEST(MeridianSphere, SharesTheSheetWithAPressure) {
   for (double pressure : {1e-3, -1e-3}) {
     Problem problem = membrane_problem(0.2, SphereLoad{20}, {8, 14, 20, 26});
     problem.pressure_eV_per_A3 = pressure;
@@ -210,7 +210,7 @@ TEST(AxisymmetricSphere, SharesTheSheetWithAPressure) {
   }
 }
 
-TEST(AxisymmetricSphere, IsNotEnteredAndBalancesTheRim) {
+TEST(MeridianSphere, IsNotEnteredAndBalancesTheRim) {
   for (double kappa : {0.0, 0.966}) {
     Problem problem = membrane_problem(0.2, SphereLoad{20}, {0.1, 1, 3, 10, 20, 30});
     problem.relaxed = kappa == 0;

@@ -15,7 +15,7 @@ using std::numbers::pi;
 // Clamped plate, small deflection: 16 π κ δ/a² under a point, and under a disc
 // δ = F (4 a² − 4 c² ln(a/c) − 3 c²)/(64 π κ) (Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells,
 // art. 19).
-TEST(AxisymmetricPlate, SmallDeflections) {
+TEST(MeridianPlate, SmallDeflections) {
   const double kappa = 0.966;
   const Step point = run(plate_problem(PointLoad{}, {1e-4}))[0];
   EXPECT_NEAR(point.force_eV_per_A / (16 * pi * kappa * 1e-4 / (a * a)), 1, 1e-5);
@@ -31,7 +31,7 @@ TEST(AxisymmetricPlate, SmallDeflections) {
   EXPECT_NEAR(pressed.depth_A / (1e-12 * std::pow(a, 4) / (64 * kappa)), 1, 1e-6);
 }
 
-TEST(AxisymmetricPlate, ConvergesAndNeedsFewFactorisations) {
+TEST(MeridianPlate, ConvergesAndNeedsFewFactorisations) {
   std::vector<double> depths;
   for (int i = 1; i <= 15; ++i) depths.push_back(2 * i);
   Problem problem = plate_problem(DiscLoad{10}, depths);
@@ -57,7 +57,7 @@ TEST(AxisymmetricPlate, ConvergesAndNeedsFewFactorisations) {
 // Clamped von Kármán plate, nu = 0.19, disc of a/11: depth/a at D = κ/(E·h a²), F/(E·h a) and N0/E·h, by
 // collocation of its four first-order equations, computed separately. Small slopes: everything scaled down, w
 // by 100.
-TEST(AxisymmetricPlate, VonKarmanFromPlateToMembrane) {
+TEST(MeridianPlate, VonKarmanFromPlateToMembrane) {
   struct Case {
     double bending, force, pretension, depth;
   };
@@ -80,7 +80,7 @@ TEST(AxisymmetricPlate, VonKarmanFromPlateToMembrane) {
 }
 
 // Deep under the load bending no longer matters: the plate's force comes down to the membrane's.
-TEST(AxisymmetricPlate, GoesOverIntoTheMembrane) {
+TEST(MeridianPlate, GoesOverIntoTheMembrane) {
   Problem plate = plate_problem(DiscLoad{10}, {0.5, 5, 30});
   const auto stiff = run(plate);
   plate.bending.reset();
