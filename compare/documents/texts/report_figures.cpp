@@ -14,7 +14,11 @@
 #include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/plots/force_depth.hpp"
 #include "compare/documents/plots/from_above.hpp"
+#include "compare/documents/plots/measured_curve_plot.hpp"
+#include "compare/documents/plots/pressed_atoms_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
+#include "compare/documents/plots/sheet_maps.hpp"
+#include "compare/documents/plots/stress_strain.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/report_html.hpp"
 
@@ -65,7 +69,7 @@ Plot sheets_from_above(const Result& result, const std::filesystem::path& run_fo
                          shown_membrane(result));
 }
 
-std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {
+std::vector<Drawing> experiment_drawings(const Result& result, const std::filesystem::path& run_folder) {
   return {
       {{.content = {},
         .title = "force against depth",
@@ -96,6 +100,48 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
                    "that moves with "
                    "the window is not one number."},
        window_scan_plot(result)}};
+}
+
+/// A sheet of triangles under a pressure at its last level, and the atoms beside it.
+std::vector<Drawing> pressed_drawings(const Result& result) {
+  std::vector<Drawing> drawings;
+  for (const Run& run : result.runs)
+    if (run.load == LoadKind::pressure && run.model == Model::membrane && run.continuum().pictures &&
+        !run.continuum().pictures->empty())
+      drawings.push_back({{.content = {},
+                           .title = "the membrane from above",
+                           .caption = "Principal Cauchy stresses and states of the membrane under the last pressure.",
+                           .png = true},
+                          sheet_plot(run.continuum().pictures->back())});
+  drawings.push_back({{.content = {},
+                       .title = "atoms beside the membrane",
+                       .caption = "Depth against pressure, and both cross-sections under the last one."},
+                      pressed_atoms_plot(result)});
+  return drawings;
+}
+
+std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {
+  std::vector<Drawing> all;
+  switch (result.command) {
+    case Command::indentation:
+    case Command::bulge:
+      all = pressed_drawings(result);
+      if (result.resolved.loads != std::vector<LoadKind>{LoadKind::pressure})
+        for (Drawing& drawing : experiment_drawings(result, run_folder)) all.push_back(std::move(drawing));
+      return all;
+    case Command::fit:
+      for (const FittedCurve& curve : result.curves)
+        all.push_back({{.content = {}, .title = curve.file, .caption = curve.file}, measured_plot(curve)});
+      return all;
+    case Command::potential:
+      return {{{.content = {}, .title = "stress and strain", .caption = "Homogeneous strain at T = 0."},
+               stress_strain_plot(result)}};
+    case Command::figure:
+    case Command::verify:
+    case Command::batch:
+      return {};
+  }
+  return all;
 }
 
 std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::path& run_folder) {

@@ -295,6 +295,7 @@ std::string provenance(const Result& result) {
   text += "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
   text += "<h2>How to make this again</h2>\n<pre>" + html::escaped(p.command_line) +
           "\nvalidate report run.h5    # this page, without computing</pre>\n";
+  if (!result.is_experiment()) return text;
   text +=
       "<details><summary>the resolved case</summary>\n<pre>" +
       html::escaped(document(result.resolved).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
