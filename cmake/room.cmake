@@ -2,8 +2,9 @@
 # all its sources. Its arguments are its arrows: the only rooms (folders from the checkout's root) that its files may include.
 #   room(SEES compare/base membrane/laws   LIBRARIES GSL::gsl)
 # The target of compare/base is compare_base. All arrows are written to rooms.txt in the build folder, for the include lint.
+# The rooms of PLAIN_ROOMS are compiled with less optimisation. With VALIDATE_UNITY a room's sources are compiled together, so
+# that names in its anonymous namespaces must not clash; SEPARATE is for a room where they still do.
 
-# What every room shares: compiler options and one set of precompiled headers.
 function(room_target folder result)
   string(REPLACE "/" "_" name ${folder})
   if(NOT folder MATCHES "/")
@@ -21,7 +22,17 @@ function(room)
   if(sources)
     set(scope PUBLIC)
     add_library(${name} STATIC ${sources})
-    target_precompile_headers(${name} REUSE_FROM project_headers)
+    if(VALIDATE_WERROR AND folder IN_LIST CONVERSION_FREE_ROOMS)
+      target_compile_options(${name} PRIVATE -Wconversion)
+    endif()
+    # fmt's definitions are in the precompiled headers: GCC would not use them in a room that lacks them.
+    target_compile_definitions(${name} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
+    if(folder IN_LIST PLAIN_ROOMS)
+      target_link_libraries(${name} PRIVATE plain_options)
+      target_precompile_headers(${name} REUSE_FROM plain_headers)
+    else()
+      target_precompile_headers(${name} REUSE_FROM project_headers)
+    endif()
     if(NOT ROOM_SEPARATE)
       set_target_properties(${name} PROPERTIES UNITY_BUILD ${VALIDATE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
     endif()

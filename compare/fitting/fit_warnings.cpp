@@ -14,10 +14,10 @@ namespace {
 double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
 
 constexpr int few_points = 8;
-constexpr double shallow_of_radius = 0.05;  // depth / a below which the cubic hardly shows
-constexpr double good_fit = 0.01;           // rms / largest force
-constexpr double large_bias = 0.03;         // of E·h
-constexpr double near_artefact_A = 0.02;    // of bond length
+constexpr double shallow_share = 0.05;    // depth / a below which the cubic hardly shows
+constexpr double good_fit = 0.01;         // rms / largest force
+constexpr double large_bias = 0.03;       // of E·h
+constexpr double near_artefact_A = 0.02;  // of bond length
 
 using Warnings = std::vector<std::string>;
 
@@ -61,9 +61,9 @@ void bending(const Fit& fit, const FitContext& context, Warnings& found) {
 void points(const Fit& fit, const FitContext& context, Warnings& found) {
   if (fit.points < few_points) found.push_back(fmt::format("{} points are few for two parameters", fit.points));
   const double deepest = fit.window_A[1];
-  if (deepest < shallow_of_radius * context.a_A)
-    found.push_back(fmt::format("the deepest point is at {:.3f} of the radius: too shallow_of_radius for E·h",
-                                deepest / context.a_A));
+  if (deepest < shallow_share * context.a_A)
+    found.push_back(
+        fmt::format("the deepest point is at {:.3f} of the radius: too shallow for E·h", deepest / context.a_A));
   if (fit.window_A[0] > 0.5 * deepest)
     found.push_back(fmt::format("no point below half of the largest depth: the pretension is extrapolated"));
 }

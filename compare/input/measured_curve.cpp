@@ -47,7 +47,7 @@ char separator_of(const std::string& header) {
 
 /// One of the unit in base units, if the text is a unit of that quantity.
 std::optional<double> unit_in_base(std::string text, std::string_view base) {
-  for (auto at = text.find("_per_"); at != std::string::npos; at = text.find("_per_")) text.replace(at, 5, "/");
+  for (auto at = text.find("_per_"); at != std::string::npos; at = text.find("_per_")) text.replace(at, 5, 1, '/');
   if (text.empty()) return std::nullopt;
   try {
     return parse_quantity("1 " + text, base, "");

@@ -102,7 +102,9 @@ TEST(Indentation, EnergyIsTheIntegralOverTheConjugateDepth) {
     const std::size_t first = std::min(k < 2 ? 0 : k - 2, d.size() - 4);
     const double h = d[k] - d[k - 1], middle = (d[k] + d[k - 1]) / 2;  // Simpson is exact for the cubic
     work += h / 6 * (f[k - 1] + 4 * cubic(first, middle) + f[k]);
-    if (k > 1) EXPECT_NEAR(path.steps[k - 1].energy_eV, work, 1e-3 * work) << "at " << d[k] << " Å";
+    if (k > 1) {
+      EXPECT_NEAR(path.steps[k - 1].energy_eV, work, 1e-3 * work) << "at " << d[k] << " Å";
+    }
   }
 }
 

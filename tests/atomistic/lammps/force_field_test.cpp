@@ -83,7 +83,10 @@ TEST_P(ForcesOf, HaveVirialsThatSumToTheCellsStress) {
   int n = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 3; ++j)
-      for (const auto& at : cell) x.segment<3>(3 * n++) << (i + at[0]) * a, (j + at[1]) * b, 0.05 * std::sin(1.3 * n);
+      for (const auto& at : cell) {
+        x.segment<3>(3 * n) << (i + at[0]) * a, (j + at[1]) * b, 0.05 * std::sin(1.3 * n);
+        ++n;
+      }
   ForceField field(potential(GetParam()), box, x, "none");
   VectorXd before, after;
   field.evaluate(x, before);

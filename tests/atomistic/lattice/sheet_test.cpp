@@ -189,7 +189,9 @@ TEST(Ripple, HasItsSizeVanishesAtTheEdgeAndComesAgain) {
   for (int i = 0; i < sheet.free_atoms; ++i) {
     EXPECT_EQ(u.segment<2>(3 * i).norm(), 0);
     const double edge = 25 - sheet.position(i).head<2>().cwiseAbs().maxCoeff();
-    if (edge < 0.5) EXPECT_LT(std::abs(u[3 * i + 2]), 0.3);
+    if (edge < 0.5) {
+      EXPECT_LT(std::abs(u[3 * i + 2]), 0.3);
+    }
     squares += u[3 * i + 2] * u[3 * i + 2];
   }
   EXPECT_NEAR(std::sqrt(squares / sheet.free_atoms), 0.4, 1e-12);

@@ -78,7 +78,9 @@ TEST_F(JobFile, EveryLoadAndTheSheetsFormSurvive) {
       EXPECT_EQ(sphere->radius_A, 30);
       EXPECT_EQ(sphere->stiffness_eV_per_A3, 50);
     }
-    if (const auto* pressure = std::get_if<PressureLoad>(&back.load)) EXPECT_FALSE(pressure->following);
+    if (const auto* pressure = std::get_if<PressureLoad>(&back.load)) {
+      EXPECT_FALSE(pressure->following);
+    }
   }
 }
 

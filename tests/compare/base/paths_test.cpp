@@ -47,8 +47,6 @@ TEST(Paths, NoInputsNamesBothPlaces) {
                  {(tree.path() / "inputs").string(), (tree.path() / "share/validate").string(), "VALIDATE_INPUTS"});
 }
 
-TEST(Paths, ProgramFolderIsThatOfThisTest) {
-  EXPECT_TRUE(fs::is_regular_file(program_folder() / "compare_tests"));
-}
+TEST(Paths, ProgramFolderIsThatOfThisTest) { EXPECT_TRUE(fs::is_regular_file(program_folder() / "compare_tests")); }
 
 }  // namespace

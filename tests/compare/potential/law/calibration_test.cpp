@@ -142,8 +142,10 @@ TEST(Calibration, TheSixfoldFormFindsADirection) {
     EXPECT_NEAR(force[1], s.S22_eV_per_A2, 1e-6);
     EXPECT_NEAR(force[2], s.S12_eV_per_A2, 1e-6);
   }
-  for (const LawVariant& form : law_variants(card(), states))
-    if (form.name == "sixfold") EXPECT_LT(form.worst_misfit, 1e-6);
+  for (const LawVariant& form : law_variants(card(), states)) {
+    if (form.name != "sixfold") continue;
+    EXPECT_LT(form.worst_misfit, 1e-6);
+  }
 }
 
 }  // namespace

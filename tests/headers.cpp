@@ -1,0 +1,1 @@
+// Holds nothing: the headers that every test binary precompiles once are made for it.
