@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages that validate needs, configures the release preset and builds
-# build/validate, build/validate-atoms and the tests. Safe to run again: what is present is skipped.
+# Installs the Debian packages that validate needs, configures the release preset and builds build/validate and
+# build/validate-atoms, with --tests the tests too. Safe to run again: what is present is skipped.
 set -eu
 
 # One package per line: everything whose headers, libraries or programs the build and the tests use. (The package
@@ -39,8 +39,11 @@ python3-meshio
 
 usage() {
   cat <<'TXT'
-usage: ./bootstrap.sh [--with-kim] [--no-install] [--list] [--help]
+usage: ./bootstrap.sh [--tests] [--ci] [--with-kim] [--no-install] [--list] [--help]
 
+  --tests       build the tests too, for: ctest --preset default
+  --ci          install what .ci/run and .ci/nightly need too (clang, clang-format, clang-tidy), make every warning an
+                error, and build the tests
   --with-kim    install the OpenKIM models too (openkim-models): more potentials, and their tests
   --no-install  do not install packages; stop with the list of what is missing
   --list        print the Debian packages, one per line, and stop
@@ -52,8 +55,12 @@ TXT
 }
 
 install=yes
+preset=release
+targets='validate validate-atoms'
 for argument in "$@"; do
   case "$argument" in
+    --tests) targets=all ;;
+    --ci) targets=all preset=ci packages="$packages clang clang-format clang-tidy" ;;
     --with-kim) packages="$packages openkim-models" ;;
     --no-install) install=no ;;
     --list) printf '%s\n' $packages; exit 0 ;;
@@ -102,6 +109,6 @@ if [ -n "$missing" ]; then
   fi
 fi
 
-cmake --preset release
-cmake --build --preset release
+cmake --preset $preset
+cmake --build --preset $preset --target $targets
 echo "bootstrap.sh: built build/validate and build/validate-atoms; try: build/validate indentation --radius 30"
