@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -91,7 +92,7 @@ struct Data {
 };
 
 Data read(const std::string& name) {
-  std::ifstream in(std::string(NIST_DATA) + "/" + name + ".csv");
+  std::ifstream in(std::filesystem::path(NIST_DATA) / (name + ".csv"));
   Data data;
   for (std::string line; std::getline(in, line);) {
     double x, y;
