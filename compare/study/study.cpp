@@ -30,6 +30,7 @@ std::optional<PotentialCard> card_of(const Case& c, const PotentialFile& potenti
     if (error.exit_code() == ExitCode::bad_input) throw bad_input("potential '{}': {}", c.potential, error.what());
     if (error.exit_code() != ExitCode::atomistic_failed) throw;
     outcome.failure = std::string("the potential card: ") + error.what();
+    outcome.result.agreement_skipped = "there is no potential card";
     return std::nullopt;
   }
 }

@@ -21,7 +21,7 @@ struct Parsed {
 
 Parsed parse(std::vector<std::string> words, const Case& from_file = {}) {
   CLI::App command;
-  const CaseFlags flags(command);
+  const CaseFlags flags(command, Case());
   Parsed parsed{.resolved = from_file, .origins = {}, .options = {}};
   add_run_options(command, parsed.options);
   std::reverse(words.begin(), words.end());  // CLI11 takes a stack
@@ -33,7 +33,7 @@ Parsed parse(std::vector<std::string> words, const Case& from_file = {}) {
 
 TEST(Flags, EveryFieldHasOneOfItsName) {
   CLI::App command;
-  const CaseFlags flags(command);
+  const CaseFlags flags(command, Case());
   const auto names = flag_names(command);
   const Case c;
   describe(c, [&](const Field& field, const auto&) {
@@ -47,7 +47,7 @@ TEST(Flags, TakeUnitsListsAndSwitches) {
              "-0.158", "--E", "1.0209 TPa", "--pretension", "0.34 N/m", "--past-artefact", "--window", "0.1,0.2"});
   EXPECT_DOUBLE_EQ(c.radius_A, 110);
   EXPECT_EQ(c.tip_radius_A, 8);
-  EXPECT_EQ(c.loads, (std::vector<std::string>{"disc", "point"}));
+  EXPECT_EQ(c.loads, (std::vector{LoadKind::disc, LoadKind::point}));
   ASSERT_EQ(c.forces_eV_per_A.size(), 3u);
   EXPECT_DOUBLE_EQ(c.forces_eV_per_A[1], 1);
   EXPECT_EQ(c.nu.value(), -0.158);
@@ -117,7 +117,7 @@ TEST(Flags, OfARunThatAreBad) {
 
 TEST(Flags, HelpGivesUnitRangeDefaultAndChoices) {
   CLI::App command;
-  const CaseFlags flags(command);
+  const CaseFlags flags(command, Case());
   const std::string help = command.help();
   for (const char* words :
        {"radius of the free sheet; > 0 Å; default 110", "default point,disc", "membrane, atomistic, both; default both",

@@ -152,54 +152,56 @@ Run exact_run() {
 TEST(FitRun, RecoversTheConstantsOfAnExactCurve) {
   validate::Run run = exact_run();
   fit_run(run);
-  ASSERT_TRUE(run.fit) << run.fit_skipped;
-  EXPECT_NEAR(run.fit->Eh_eV_per_A2, true_Eh, 1e-9);
-  EXPECT_NEAR(run.fit->pretension_eV_per_A2, true_pretension, 1e-9);
-  EXPECT_NEAR(run.fit->rms_relative, 0, 1e-12);
-  EXPECT_EQ(run.fit->points, 12);
-  EXPECT_EQ(run.fit->window_A, (std::array{2.0, 24.0}));
-  EXPECT_LT(run.fit->correlation, -0.8);
-  ASSERT_EQ(run.fit->correlation_matrix.size(), 4u);
-  EXPECT_NEAR(run.fit->correlation_matrix[0], 1, 1e-12);
-  EXPECT_EQ(run.fit->correlation_matrix[1], run.fit->correlation);
-  EXPECT_NEAR(run.fit->correlation_matrix[2], run.fit->correlation, 1e-12);
+  ASSERT_EQ(run.fits.size(), 1u) << run.fit_skipped;
+  EXPECT_NEAR(run.fits[0].Eh_eV_per_A2, true_Eh, 1e-9);
+  EXPECT_NEAR(run.fits[0].pretension_eV_per_A2, true_pretension, 1e-9);
+  EXPECT_NEAR(run.fits[0].rms_relative, 0, 1e-12);
+  EXPECT_EQ(run.fits[0].points, 12);
+  EXPECT_EQ(run.fits[0].window_A, (std::array{2.0, 24.0}));
+  EXPECT_LT(run.fits[0].correlation, -0.8);
+  ASSERT_EQ(run.fits[0].correlation_matrix.size(), 4u);
+  EXPECT_NEAR(run.fits[0].correlation_matrix[0], 1, 1e-12);
+  EXPECT_EQ(run.fits[0].correlation_matrix[1], run.fits[0].correlation);
+  EXPECT_NEAR(run.fits[0].correlation_matrix[2], run.fits[0].correlation, 1e-12);
 }
 
 TEST(FitRun, LeavesOutArtefactsAndWhatDidNotConverge) {
   validate::Run run = exact_run();
   run.model = Model::atomistic;
-  run.artefact.assign(12, false);
-  run.artefact[11] = true;
+  settle_part(run);
+  run.atoms().artefact.assign(12, false);
+  run.atoms().artefact[11] = true;
   run.force_eV_per_A[11] *= 2;
   run.converged[0] = false;
   run.force_eV_per_A[0] *= 5;
   run.force_eV_per_A[5] = std::numeric_limits<double>::quiet_NaN();
   fit_run(run);
-  ASSERT_TRUE(run.fit) << run.fit_skipped;
-  EXPECT_NEAR(run.fit->Eh_eV_per_A2, true_Eh, 1e-9);
-  EXPECT_EQ(run.fit->points, 9);
-  EXPECT_EQ(run.fit->window_A, (std::array{4.0, 22.0}));
+  ASSERT_EQ(run.fits.size(), 1u) << run.fit_skipped;
+  EXPECT_NEAR(run.fits[0].Eh_eV_per_A2, true_Eh, 1e-9);
+  EXPECT_EQ(run.fits[0].points, 9);
+  EXPECT_EQ(run.fits[0].window_A, (std::array{4.0, 22.0}));
 }
 
 TEST(FitRun, RmsIsOverTheLargestForce) {
   validate::Run run = exact_run();
   for (std::size_t i = 0; i < 12; ++i) run.force_eV_per_A[i] += i % 2 ? 0.01 : -0.01;
   fit_run(run);
-  ASSERT_TRUE(run.fit) << run.fit_skipped;
-  EXPECT_NEAR(run.fit->rms_relative * run.force_eV_per_A[11], 0.01, 5e-4);  // the fit takes up a little of it
+  ASSERT_EQ(run.fits.size(), 1u) << run.fit_skipped;
+  EXPECT_NEAR(run.fits[0].rms_relative * run.force_eV_per_A[11], 0.01, 5e-4);  // the fit takes up a little of it
 }
 
 TEST(FitRun, UnderFourPointsThereIsAReasonInstead) {
   validate::Run run = exact_run();
   run.model = Model::atomistic;
-  run.artefact.assign(12, true);
-  for (const int i : {0, 1, 2}) run.artefact[i] = false;
+  settle_part(run);
+  run.atoms().artefact.assign(12, true);
+  for (const int i : {0, 1, 2}) run.atoms().artefact[i] = false;
   fit_run(run);
-  EXPECT_FALSE(run.fit);
+  EXPECT_TRUE(run.fits.empty());
   EXPECT_EQ(run.fit_skipped, "3 usable points of 12 (9 in the artefact zone, 0 not converged); a fit needs 4");
-  run.artefact[3] = false;
+  run.atoms().artefact[3] = false;
   fit_run(run);
-  EXPECT_TRUE(run.fit);
+  EXPECT_EQ(run.fits.size(), 1u);
   EXPECT_EQ(run.fit_skipped, "");
 }
 
@@ -207,7 +209,7 @@ TEST(FitRun, WithoutKnownConstantsThereIsAReasonInstead) {
   validate::Run run = exact_run();
   run.nu = not_known;  // the card failed
   fit_run(run);
-  EXPECT_FALSE(run.fit);
+  EXPECT_TRUE(run.fits.empty());
   EXPECT_NE(run.fit_skipped.find("Poisson"), std::string::npos);
 }
 

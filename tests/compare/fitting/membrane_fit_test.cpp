@@ -138,10 +138,10 @@ TEST(MembraneFit, ASheetThatTearsIsFittedAsFarAsItGoes) {
   }
   const MembraneFitReport direct = fit_membrane(sheet, curve.depth_A, curve.force_eV_per_A, {});
   ASSERT_TRUE(direct.converged) << direct.reason;
-  ASSERT_TRUE(direct.torn_at_A);
-  EXPECT_NEAR(*direct.torn_at_A / end, 1, 0.08);
-  EXPECT_EQ(direct.depth_A.size(), direct.force_eV_per_A.size());
-  EXPECT_LT(direct.depth_A.size(), curve.depth_A.size() - 2);
+  ASSERT_TRUE(direct.fit.torn_at_A);
+  EXPECT_NEAR(*direct.fit.torn_at_A / end, 1, 0.08);
+  EXPECT_EQ(direct.fit.fitted_depth_A.size(), direct.fit.model_force_eV_per_A.size());
+  EXPECT_LT(direct.fit.fitted_depth_A.size(), curve.depth_A.size() - 2);
   EXPECT_NEAR(direct.fit.Eh_eV_per_A2 / Eh, 1, 5e-4);
   EXPECT_NEAR(direct.fit.pretension_eV_per_A2 / pretension, 1, 5e-3);
 }

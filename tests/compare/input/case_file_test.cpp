@@ -32,19 +32,26 @@ class CaseFile : public testing::Test {
 
 TEST_F(CaseFile, ReadsEveryKey) {
   const Case c = read(R"(
+shape = "square"
 radius = "6 nm"
+size = "12 nm"
+edge = "sliding"
 potential = "rebo"
 loads = ["disc"]
 tip-radius = 12
 depth-max = "1 nm"
 depth-step = 0.5
 forces = [1, "1.602176634 nN", 2.5]
+pressures = ["160.2176634 GPa", 0.5]
 pretension = "16.02176634 mN/m"
 models = "membrane"
 [membrane]
 E = "160.2176634 GPa"
 thickness = "0.335 nm"
 nu = -0.158
+extent = "full"
+cells = 40
+unrelaxed = true
 [atomistic]
 force-tolerance = 1e-6
 past-artefact = true
@@ -62,32 +69,39 @@ against = "membrane"
 window-bond = "0.16 nm"
 regime-tolerance = 0.05
 )");
+  EXPECT_EQ(c.shape, Shape::square);
   EXPECT_DOUBLE_EQ(c.radius_A, 60);
+  EXPECT_DOUBLE_EQ(c.size_A.value(), 120);
+  EXPECT_EQ(c.edge, Edge::sliding);
   EXPECT_EQ(c.potential, "rebo");
-  EXPECT_EQ(c.loads, std::vector<std::string>{"disc"});
+  EXPECT_EQ(c.loads, std::vector{LoadKind::disc});
   EXPECT_EQ(c.tip_radius_A, 12);
   EXPECT_DOUBLE_EQ(c.depth_max_A.value(), 10);
   EXPECT_EQ(c.depth_step_A, 0.5);
   ASSERT_EQ(c.forces_eV_per_A.size(), 3u);
   EXPECT_DOUBLE_EQ(c.forces_eV_per_A[1], 1);
   EXPECT_EQ(c.forces_eV_per_A[2], 2.5);
+  EXPECT_EQ(c.pressures_eV_per_A3, (std::vector<double>{1, 0.5}));
   EXPECT_DOUBLE_EQ(c.pretension_eV_per_A2, 0.001);
-  EXPECT_EQ(c.models, "membrane");
+  EXPECT_EQ(c.models, Models::membrane);
   EXPECT_DOUBLE_EQ(c.E_eV_per_A3.value(), 1);
   EXPECT_DOUBLE_EQ(c.thickness_A.value(), 3.35);
   EXPECT_EQ(c.nu.value(), -0.158);
+  EXPECT_EQ(c.extent, Extent::full);
+  EXPECT_EQ(c.cells.value(), 40);
+  EXPECT_TRUE(c.unrelaxed);
   EXPECT_EQ(c.force_tolerance_eV_per_A, 1e-6);
   EXPECT_TRUE(c.past_artefact);
   EXPECT_TRUE(c.unloading);
   EXPECT_EQ(c.switch_length_A.value(), 1.92);
-  EXPECT_EQ(c.centre, "atom");
+  EXPECT_EQ(c.centre, Centre::atom);
   EXPECT_EQ(c.rotation_deg, 12.5);
   EXPECT_EQ(c.vacancies_A, (std::vector<double>{3, 4}));
   EXPECT_EQ(c.stone_wales_A, (std::vector<double>{-5, 6}));
-  EXPECT_EQ(c.judged_load, "point");
+  EXPECT_EQ(c.judged_load, LoadKind::point);
   EXPECT_EQ(c.window, (std::vector<double>{0.12, 0.14}));
   EXPECT_EQ(c.tolerance, 0.1);
-  EXPECT_EQ(c.against, "membrane");
+  EXPECT_EQ(c.against, Against::membrane);
   EXPECT_DOUBLE_EQ(c.window_bond_A, 1.6);
   EXPECT_EQ(c.regime_tolerance, 0.05);
   // Every field is covered above: each has an origin with its line.
@@ -97,8 +111,8 @@ regime-tolerance = 0.05
     EXPECT_TRUE(origins_.contains(field.name)) << field.name;
   });
   EXPECT_EQ(static_cast<int>(origins_.size()), fields);
-  EXPECT_EQ(origins_.at("radius"), (folder_.path() / "case.toml").string() + ":2: radius");
-  EXPECT_EQ(origins_.at("nu"), (folder_.path() / "case.toml").string() + ":14: nu");
+  EXPECT_EQ(origins_.at("radius"), (folder_.path() / "case.toml").string() + ":3: radius");
+  EXPECT_EQ(origins_.at("nu"), (folder_.path() / "case.toml").string() + ":18: nu");
 }
 
 TEST_F(CaseFile, KeepsWhatItDoesNotGive) {
@@ -155,7 +169,7 @@ TEST_F(CaseFile, ValuesOutOfRange) {
 
 TEST_F(CaseFile, UnknownWords) {
   refuses("loads = [\"point\", \"dics\"]",
-          {":1: loads", "'dics'", "allowed: point, disc, sphere", "did you mean 'disc'?"});
+          {":1: loads", "'dics'", "allowed: point, disc, sphere, pressure", "did you mean 'disc'?"});
   refuses("models = \"atoms\"", {":1: models", "'atoms'", "membrane, atomistic, both"});
   refuses("[agreement]\njudged-load = \"poimt\"", {":2: judged-load", "did you mean 'point'?"});
   refuses("potential = \"\"", {":1: potential", "empty"});

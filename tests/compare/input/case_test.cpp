@@ -21,7 +21,7 @@ Case changed(const std::function<void(Case&)>& change) {
 
 Case given_constants() {
   return changed([](Case& c) {
-    c.models = "membrane";
+    c.models = Models::membrane;
     c.E_eV_per_A3 = 6.372;
     c.thickness_A = 3.35;
     c.nu = 0.165;
@@ -68,7 +68,7 @@ TEST(Check, SmallSheetsOfAtoms) {
   expect_refusal([] { check(changed([](Case& c) { c.radius_A = 7; })); },
                  {"radius", "7 Å", "three lattice constants", "7.38 Å"});
   // The membrane with the card's constants needs atoms too.
-  expect_refusal([] { check(changed([](Case& c) { c.radius_A = 7, c.models = "membrane"; })); }, {"7.38"});
+  expect_refusal([] { check(changed([](Case& c) { c.radius_A = 7, c.models = Models::membrane; })); }, {"7.38"});
   EXPECT_NO_THROW(check(changed([](Case& c) { c.radius_A = 8, c.tip_radius_A = 3, c.depth_step_A = 1; })));
 }
 
@@ -76,7 +76,7 @@ TEST(Check, HugeSheetsOfAtoms) {
   const auto huge = changed([](Case& c) { c.radius_A = 5000; });
   expect_refusal([&] { check(huge); }, {"radius", "5000 Å", "3000 Å", "--models membrane"});
   auto membrane_only = huge;
-  membrane_only.models = "membrane";
+  membrane_only.models = Models::membrane;
   EXPECT_TRUE(check(membrane_only).empty());
   const auto warnings = check(changed([](Case& c) { c.radius_A = 1000; }));
   ASSERT_EQ(warnings.size(), 1u);
@@ -105,10 +105,10 @@ TEST(Check, GivenConstantsAreAllThreeOrNone) {
 }
 
 TEST(Check, GivenConstantsNeedTheMembraneAlone) {
-  for (const char* models : {"both", "atomistic"}) {
+  for (const Models models : {Models::both, Models::atomistic}) {
     auto c = given_constants();
     c.models = models;
-    expect_refusal([&] { check(c); }, {"E, thickness, nu", "--models membrane", models});
+    expect_refusal([&] { check(c); }, {"E, thickness, nu", "--models membrane", std::string(to_string(models))});
   }
 }
 
@@ -119,7 +119,7 @@ TEST(Check, TipWiderThanTheSheet) {
         check(c, {{"tip-radius", "case.toml:7: tip-radius"}});
       },
       {"case.toml:7: tip-radius", "110 Å", "wider than the sheet"});
-  c.loads = {"point"};  // then there is no tip
+  c.loads = {LoadKind::point};  // then there is no tip
   EXPECT_NO_THROW(check(c));
 }
 
@@ -165,7 +165,7 @@ TEST(Check, PretensionThatBreaksTheSheet) {
 TEST(Check, Loads) {
   expect_refusal([] { check(changed([](Case& c) { c.loads = {}; })); }, {"loads", "at least one"});
   expect_refusal([] { check(changed([](Case& c) {
-                        c.loads = {"disc", "point", "disc"};
+                        c.loads = {LoadKind::disc, LoadKind::point, LoadKind::disc};
                       })); },
                  {"loads", "'disc' is named twice"});
 }

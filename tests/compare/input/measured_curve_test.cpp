@@ -110,29 +110,32 @@ TEST(MeasuredFit, ZerosAreFoundOrTakenOff) {
   options.model = "foeppl";
   options.contact_A = 40;
   options.baseline_to_A = 20;
-  const MeasuredResult given = evaluate(synthetic(40, 3), options);
+  const FittedCurve given = evaluate(synthetic(40, 3), options);
   EXPECT_NEAR(given.baseline_eV_per_A, 3, 1e-12);
-  EXPECT_NEAR(given.fit.Eh_eV_per_A2 / 21.35, 1, 1e-6);
-  EXPECT_NEAR(given.fit.pretension_eV_per_A2 / 0.0212, 1, 1e-5);
+  EXPECT_NEAR(closed_form_fit(given.fits)->Eh_eV_per_A2 / 21.35, 1, 1e-6);
+  EXPECT_NEAR(closed_form_fit(given.fits)->pretension_eV_per_A2 / 0.0212, 1, 1e-5);
   options.contact_A = 0;
   options.depth_min_A = 60;
   options.fit_contact = options.fit_force_zero = true;
   options.baseline_to_A.reset();
-  const MeasuredResult found = evaluate(synthetic(40, 3), options);
-  EXPECT_NEAR(*found.fit.depth_offset_A, 40, 0.05);
-  EXPECT_NEAR(*found.fit.force_offset_eV_per_A, 3, 0.01);
-  EXPECT_EQ(found.fit.correlation_matrix.size(), 16u);
-  EXPECT_GT(*found.fit.depth_offset_stderr_A, 0);
-  EXPECT_NEAR(found.fit.Eh_eV_per_A2 / 21.35, 1, 1e-3);
+  const FittedCurve found = evaluate(synthetic(40, 3), options);
+  ASSERT_TRUE(closed_form_fit(found.fits));
+  const Fit& fit = *closed_form_fit(found.fits);
+  EXPECT_NEAR(*fit.depth_offset_A, 40, 0.05);
+  EXPECT_NEAR(*fit.force_offset_eV_per_A, 3, 0.01);
+  EXPECT_EQ(fit.correlation_matrix.size(), 16u);
+  EXPECT_GT(*fit.depth_offset_stderr_A, 0);
+  EXPECT_NEAR(fit.Eh_eV_per_A2 / 21.35, 1, 1e-3);
 }
 
 TEST(MeasuredFit, TheBiasIsKnownAndTakenOut) {
-  const MeasuredResult result = evaluate(synthetic(0, 0), drum());
-  ASSERT_TRUE(result.fit.bias && result.fit.direct) << result.direct_skipped;
-  EXPECT_GT(result.fit.Eh_eV_per_A2 / 21.35, 1.15);
-  EXPECT_NEAR(result.fit.bias->Eh_corrected_eV_per_A2 / 21.35, 1, 0.005);
-  EXPECT_NEAR(result.fit.bias->pretension_corrected_eV_per_A2 / 0.0212, 1, 0.01);
-  EXPECT_NEAR(result.fit.direct->Eh_eV_per_A2 / 21.35, 1, 0.005);
+  const FittedCurve result = evaluate(synthetic(0, 0), drum());
+  const Fit *fit = closed_form_fit(result.fits), *direct = continuum_fit(result.fits);
+  ASSERT_TRUE(fit && fit->bias && direct) << result.direct_skipped;
+  EXPECT_GT(fit->Eh_eV_per_A2 / 21.35, 1.15);
+  EXPECT_NEAR(fit->bias->Eh_corrected_eV_per_A2 / 21.35, 1, 0.005);
+  EXPECT_NEAR(fit->bias->pretension_corrected_eV_per_A2 / 0.0212, 1, 0.01);
+  EXPECT_NEAR(direct->Eh_eV_per_A2 / 21.35, 1, 0.005);
 }
 
 TEST(MeasuredFit, RefusesWhatCannotBeFitted) {

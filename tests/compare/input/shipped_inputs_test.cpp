@@ -17,7 +17,9 @@ const fs::path inputs = fs::path(VALIDATE_SOURCE_INPUTS).lexically_normal();
 TEST(ShippedInputs, IndentationHoldsTheDefaults) {
   Case c;
   c.radius_A = c.tip_radius_A = c.force_tolerance_eV_per_A = c.tolerance = -1;
-  c.potential = c.models = c.judged_load = "none";
+  c.potential = "none";
+  c.models = Models::membrane;
+  c.judged_load = LoadKind::point;
   c.loads.clear();
   c.window.clear();
   c.pretension_eV_per_A2 = -1;

@@ -4,6 +4,8 @@
 
 #include <map>
 
+#include "compare/results/fit.hpp"
+
 using namespace validate;
 
 TEST(Keys, CarryTheUnit) {

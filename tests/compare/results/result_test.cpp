@@ -13,7 +13,9 @@ TEST(Result, UsablePointsConvergedOutsideTheArtefactZoneWithFiniteNumbers) {
   run.converged = {true, true, true, false, true, true};
   EXPECT_EQ(usable_points(run), (std::vector<std::size_t>{1, 4, 5}));
   EXPECT_FALSE(first_artefact(run));
-  run.artefact = {false, false, false, false, false, true};
+  run.model = Model::atomistic;
+  settle_part(run);
+  run.atoms().artefact = {false, false, false, false, false, true};
   EXPECT_EQ(usable_points(run), (std::vector<std::size_t>{1, 4}));
   EXPECT_EQ(first_artefact(run), 5u);
 }

@@ -51,12 +51,13 @@ Provenance provenance() {
 
 }  // namespace
 
-Run atomistic_run(const std::string& load, double stiffness, double longest_bond_per_depth) {
+Run atomistic_run(LoadKind load, double stiffness, double longest_bond_per_depth) {
   Run run;
   run.model = Model::atomistic;
+  AtomsPart& part = run.part.emplace<AtomsPart>();
   run.load = load;
   run.a_A = a_A;
-  run.tip_A = load == "disc" ? 10.2 : 1.7;
+  run.tip_A = load == LoadKind::disc ? 10.2 : 1.7;
   run.Eh_eV_per_A2 = airebo_Eh;
   run.nu = airebo_nu;
   run.ended = Ended::depth_max;
@@ -69,40 +70,40 @@ Run atomistic_run(const std::string& load, double stiffness, double longest_bond
     run.energy_eV.push_back(run.force_eV_per_A.back() * depth / 4);
     run.converged.push_back(true);
     run.longest_bond_A.push_back(bond);
-    run.artefact.push_back(bond >= artefact_bond_A);
-    run.max_force_eV_per_A.push_back(8e-6);
-    run.balance_relative.push_back(6e-4);
-    run.force_error_relative.push_back(3e-5);
-    run.force_evaluations.push_back(11);
-    run.factorisations.push_back(1);
-    if (!run.artefact.back()) continue;
+    part.artefact.push_back(bond >= artefact_bond_A);
+    part.max_force_eV_per_A.push_back(8e-6);
+    part.balance_relative.push_back(6e-4);
+    part.force_error_relative.push_back(3e-5);
+    part.force_evaluations.push_back(11);
+    part.factorisations.push_back(1);
+    if (!part.artefact.back()) continue;
     run.ended = Ended::artefact;
     run.ended_reason = "longest bond 1.70 Å";
     break;
   }
-  if (load == "sphere") run.contact = ContactSensitivity{0.0025, -0.02, 0.0009, 0.05};
+  if (load == LoadKind::sphere) part.contact = ContactSensitivity{0.0025, -0.02, 0.0009, 0.05};
   fit_run(run);
   return run;
 }
 
-Run membrane_run(const std::string& load, Constants constants, double stiffness) {
+Run membrane_run(LoadKind load, Constants constants, double stiffness) {
   Run run;
   run.load = load;
   run.constants = constants;
   run.a_A = constants == Constants::card ? a_A : 110;
-  run.tip_A = load == "disc" ? 10 : 0;
+  run.tip_A = load == LoadKind::disc ? 10 : 0;
   run.Eh_eV_per_A2 = constants == Constants::card ? airebo_Eh : paper_Eh;
   run.nu = constants == Constants::card ? airebo_nu : 0.19;
   run.ended = Ended::depth_max;
   run.ended_reason = "largest depth reached";
-  run.triangles = 1936;
+  run.continuum().triangles = 1936;
   for (double depth = 1; depth <= 25; depth += 2) {
     run.depth_A.push_back(depth);
     run.conjugate_depth_A.push_back(0.98 * depth);
     run.force_eV_per_A.push_back(cubic(stiffness, run.Eh_eV_per_A2, depth));
     run.energy_eV.push_back(run.force_eV_per_A.back() * depth / 4);
     run.converged.push_back(true);
-    run.newton_iterations.push_back(5);
+    run.continuum().newton_iterations.push_back(5);
   }
   fit_run(run);
   return run;
@@ -111,17 +112,12 @@ Run membrane_run(const std::string& load, Constants constants, double stiffness)
 namespace {
 
 /// F = 1.45 E·h δ³/a² with the atoms' bending and softening: what the calibrated sheet is, nearly.
-Run calibrated_run(Model model, const std::string& load, double stiffness, double bond_per_depth) {
+Run calibrated_run(Model model, LoadKind load, double stiffness, double bond_per_depth) {
   Run run = atomistic_run(load, stiffness, bond_per_depth);
   run.model = model;
   run.constants = Constants::calibrated;
-  run.artefact.clear();
-  run.max_force_eV_per_A.clear();
-  run.balance_relative.clear();
-  run.force_error_relative.clear();
-  run.force_evaluations.clear();
-  run.factorisations.clear();
-  run.newton_iterations.assign(run.depth_A.size(), 4);
+  run.part.emplace<ContinuumPart>().newton_iterations.assign(run.depth_A.size(), 4);
+  run.fits.clear();
   run.record_radius_A = 1.397;
   fit_run(run);
   return run;
@@ -139,6 +135,7 @@ LawSummary law() {
   law.power_of_I = {3, 1, 0, 4};
   law.power_of_q = {0, 2, 3, 0};
   law.coefficient_eV_per_A2 = {-15.8, -20.1, -11.2, 3.4};
+  law.coefficient_stderr_eV_per_A2 = {0.1, 0.2, 0.1, 0.3};
   return law;
 }
 
@@ -149,16 +146,18 @@ Result full() {
   result.law = law();
   result.sheet = SheetSummary{110, a_A, 17244, 15000, 126};
   result.card = airebo_card();
-  result.runs = {atomistic_run("point", 1.10, 0.0145),          atomistic_run("disc", 1.45, 0.0095),
-                 membrane_run("point", Constants::card, 1.08),  membrane_run("disc", Constants::card, 1.45),
-                 membrane_run("point", Constants::paper, 0.96), membrane_run("disc", Constants::paper, 1.35)};
+  result.runs = {
+      atomistic_run(LoadKind::point, 1.10, 0.0145),          atomistic_run(LoadKind::disc, 1.45, 0.0095),
+      membrane_run(LoadKind::point, Constants::card, 1.08),  membrane_run(LoadKind::disc, Constants::card, 1.45),
+      membrane_run(LoadKind::point, Constants::paper, 0.96), membrane_run(LoadKind::disc, Constants::paper, 1.35)};
   for (const double stiffness : {1.11, 1.452}) {
-    const std::string load = stiffness < 1.2 ? "point" : "disc";
-    result.runs.push_back(calibrated_run(Model::membrane, load, 0.95 * stiffness, load == "disc" ? 0.0094 : 0.0143));
-    result.runs.push_back(calibrated_run(Model::sheet, load, stiffness, load == "disc" ? 0.0096 : 0.0146));
+    const LoadKind load = stiffness < 1.2 ? LoadKind::point : LoadKind::disc;
+    result.runs.push_back(
+        calibrated_run(Model::membrane, load, 0.95 * stiffness, load == LoadKind::disc ? 0.0094 : 0.0143));
+    result.runs.push_back(calibrated_run(Model::sheet, load, stiffness, load == LoadKind::disc ? 0.0096 : 0.0146));
   }
-  const Run plain_point = membrane_run("point", Constants::card, 1.12),
-            plain_disc = membrane_run("disc", Constants::card, 1.5);
+  const Run plain_point = membrane_run(LoadKind::point, Constants::card, 1.12),
+            plain_disc = membrane_run(LoadKind::disc, Constants::card, 1.5);
   result.explanations = {*explain(result.runs[0], {&plain_point, &result.runs[2], &result.runs[6], &result.runs[7]},
                                   {{5, 20}, {1.001, 1.002}}),
                          *explain(result.runs[1], {&plain_disc, &result.runs[3], &result.runs[8], &result.runs[9]},
@@ -180,12 +179,12 @@ Result full() {
 
 Result membrane_only() {
   Result result;
-  result.resolved.models = "membrane";
-  result.resolved.loads = {"disc"};
+  result.resolved.models = Models::membrane;
+  result.resolved.loads = {LoadKind::disc};
   result.resolved.E_eV_per_A3 = 6.37;
   result.resolved.thickness_A = 3.35;
   result.resolved.nu = 0.165;
-  result.runs = {membrane_run("disc", Constants::given, 1.2)};
+  result.runs = {membrane_run(LoadKind::disc, Constants::given, 1.2)};
   judge(result);
   result.timing.wall_s = 1;
   result.timing.membrane_s = 0.9;
@@ -200,12 +199,13 @@ Result atoms_failed() {
   Result result;
   Run atoms;
   atoms.model = Model::atomistic;
-  atoms.load = "disc";
+  settle_part(atoms);
+  atoms.load = LoadKind::disc;
   atoms.a_A = a_A;
   atoms.tip_A = 10.2;
   atoms.ended_reason = "ERROR: Lost atoms";  // `ended` stays empty
   fit_run(atoms);
-  result.runs = {atoms, membrane_run("disc", Constants::paper, 1.35)};
+  result.runs = {atoms, membrane_run(LoadKind::disc, Constants::paper, 1.35)};
   judge(result);
   result.timing.wall_s = 3;
   return result;

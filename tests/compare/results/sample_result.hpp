@@ -17,7 +17,7 @@ validate::Result membrane_only();
 validate::Result atoms_failed();
 
 /// A curve F = 1.35 E·h δ³/a² × (1 + bending (a/δ)² − softening (δ/a)²) at depths 2, 4, … Å.
-validate::Run atomistic_run(const std::string& load, double stiffness, double longest_bond_per_depth);
-validate::Run membrane_run(const std::string& load, validate::Constants constants, double stiffness);
+validate::Run atomistic_run(validate::LoadKind load, double stiffness, double longest_bond_per_depth);
+validate::Run membrane_run(validate::LoadKind load, validate::Constants constants, double stiffness);
 
 }  // namespace sample

@@ -13,7 +13,7 @@ namespace {
 // atoms'.
 Run membrane() {
   validate::Run run;
-  run.load = "disc";
+  run.load = LoadKind::disc;
   run.constants = Constants::card;
   run.a_A = 100;
   for (double d = 1; d < 30; d += 2) {
@@ -27,21 +27,21 @@ Run membrane() {
 Run atoms(const std::vector<double>& depths, const std::vector<double>& ratios) {
   validate::Run run;
   run.model = Model::atomistic;
-  run.load = "disc";
+  run.part.emplace<AtomsPart>().artefact.assign(depths.size(), false);
+  run.load = LoadKind::disc;
   run.a_A = 100;
   run.depth_A = depths;
   for (std::size_t i = 0; i < depths.size(); ++i) {
     run.force_eV_per_A.push_back(ratios[i] * std::pow(depths[i] / 10, 3));
   }
   run.converged.assign(depths.size(), true);
-  run.artefact.assign(depths.size(), false);
   return run;
 }
 
 /// Judged against the membrane over 0.10 … 0.15, within 6 %.
 Result result_with(const Run& atomistic) {
   Result result;
-  result.resolved.against = "membrane";
+  result.resolved.against = Against::membrane;
   result.resolved.window = {0.10, 0.15};
   result.resolved.tolerance = 0.06;
   result.runs = {atomistic, membrane()};
@@ -63,17 +63,23 @@ Run with_bonds(validate::Run run, const std::vector<double>& bonds) {
   return run;
 }
 
+std::vector<double> depths_judged(const Result& result) {
+  std::vector<double> depths;
+  for (const JudgedRatio& judged : result.agreement->ratios) depths.push_back(judged.depth_A);
+  return depths;
+}
+
 TEST(Agreement, JudgesTheWindowAndTheDepthsThatBracketIt) {
   //                                        below  ≤lo  inside      ≥hi  above
   Result result = result_with(atoms({6, 8, 9.8, 11, 13, 15.2, 18}, {2, 2, 1.01, 1.02, 0.97, 0.95, 2}));
   judge(result);
   ASSERT_TRUE(result.agreement) << result.agreement_skipped;
-  EXPECT_EQ(result.agreement->depth_A, (std::vector{9.8, 11.0, 13.0, 15.2}));
+  EXPECT_EQ(depths_judged(result), (std::vector{9.8, 11.0, 13.0, 15.2}));
   EXPECT_NEAR(result.agreement->max_relative_difference, 0.05, 1e-9);
-  EXPECT_NEAR(result.agreement->ratio[0], 1.01, 1e-9);
-  EXPECT_TRUE(result.agreement->passed);
-  EXPECT_EQ(result.agreement->against, "membrane");
-  EXPECT_EQ(result.agreement->load, "disc");
+  EXPECT_NEAR(result.agreement->ratios[0].ratio, 1.01, 1e-9);
+  EXPECT_EQ(result.agreement->outcome, Outcome::agree);
+  EXPECT_EQ(result.agreement->against, Model::membrane);
+  EXPECT_EQ(result.agreement->load, LoadKind::disc);
 }
 
 TEST(Agreement, DepthsOnTheBordersAreTheEnds) {
@@ -81,7 +87,7 @@ TEST(Agreement, DepthsOnTheBordersAreTheEnds) {
   Result result = result_with(atoms({8, 10.000001, 12, 14.999999, 17}, {2, 1.01, 1.02, 1.03, 2}));
   judge(result);
   ASSERT_TRUE(result.agreement) << result.agreement_skipped;
-  EXPECT_EQ(result.agreement->depth_A, (std::vector{10.000001, 12.0, 14.999999}));
+  EXPECT_EQ(depths_judged(result), (std::vector{10.000001, 12.0, 14.999999}));
 }
 
 TEST(Agreement, BeyondTheToleranceFails) {
@@ -89,11 +95,11 @@ TEST(Agreement, BeyondTheToleranceFails) {
     Result result = result_with(atoms({10, 12, 15}, {1, worst, 1}));
     judge(result);
     ASSERT_TRUE(result.agreement) << result.agreement_skipped;
-    EXPECT_FALSE(result.agreement->passed) << worst;
+    EXPECT_EQ(result.agreement->outcome, Outcome::disagree) << worst;
   }
   Result result = result_with(atoms({10, 12, 15}, {1, 1.0599, 1}));
   judge(result);
-  EXPECT_TRUE(result.agreement->passed);
+  EXPECT_EQ(result.agreement->outcome, Outcome::agree);
 }
 
 TEST(Agreement, UsesTheAtomsRadiusTheCasesWindowAndLoad) {
@@ -104,14 +110,14 @@ TEST(Agreement, UsesTheAtomsRadiusTheCasesWindowAndLoad) {
   result.runs[1].force_eV_per_A.back() = 64;
   judge(result);
   ASSERT_TRUE(result.agreement) << result.agreement_skipped;
-  EXPECT_EQ(result.agreement->depth_A, (std::vector{20.0, 31.0}));
+  EXPECT_EQ(depths_judged(result), (std::vector{20.0, 31.0}));
 
   result.resolved.window = {0.04, 0.06};
   judge(result);
   ASSERT_TRUE(result.agreement) << result.agreement_skipped;
-  EXPECT_EQ(result.agreement->depth_A, (std::vector{5.0, 10.0, 20.0}));
+  EXPECT_EQ(depths_judged(result), (std::vector{5.0, 10.0, 20.0}));
 
-  result.resolved.judged_load = "point";
+  result.resolved.judged_load = LoadKind::point;
   judge(result);
   EXPECT_FALSE(result.agreement);
   EXPECT_EQ(result.agreement_skipped, "there is no atomistic run of the point load");
@@ -133,7 +139,7 @@ TEST(Agreement, APathThatEndedEarlyGivesNoVerdict) {
   EXPECT_EQ(reason_for(result_with(atoms({}, {}))), "the atoms' curve has no usable point");
 
   validate::Run artefact = atoms({8, 10, 12, 15}, {1, 1, 1, 1});
-  artefact.artefact.back() = true;
+  artefact.atoms().artefact.back() = true;
   artefact.ended = Ended::artefact;
   EXPECT_EQ(reason_for(result_with(artefact)),
             "the atoms' curve ends at depth/a = 0.120 (artefact), the window at 0.150");
@@ -154,15 +160,15 @@ TEST(Agreement, TheSheetsWindowEndsWhereTheBondIsTooLong) {
   validate::Run run = with_bonds(atoms({2, 3, 10, 20, 22, 24}, {2, 1.004, 0.995, 1.002, 1.003, 2}),
                                  {1.40, 1.41, 1.45, 1.55, 1.60, 1.70});
   run.ended = Ended::artefact;
-  run.artefact.back() = true;
+  run.atoms().artefact.back() = true;
   Result result = result_with_sheet(run);
   judge(result);
   ASSERT_TRUE(result.agreement) << result.agreement_skipped;
-  EXPECT_EQ(result.agreement->against, "sheet");
-  EXPECT_EQ(result.agreement->depth_A, (std::vector{3.0, 10.0, 20.0, 22.0}));
+  EXPECT_EQ(result.agreement->against, Model::sheet);
+  EXPECT_EQ(depths_judged(result), (std::vector{3.0, 10.0, 20.0, 22.0}));
   EXPECT_NEAR(result.agreement->window[1], 0.23, 1e-12);  // halfway between 1.60 and 1.70
   EXPECT_NEAR(result.agreement->max_relative_difference, 0.005, 1e-9);
-  EXPECT_TRUE(result.agreement->passed);
+  EXPECT_EQ(result.agreement->outcome, Outcome::agree);
 }
 
 TEST(Agreement, APathToItsLargestDepthIsJudgedToThere) {
@@ -172,7 +178,7 @@ TEST(Agreement, APathToItsLargestDepthIsJudgedToThere) {
   judge(result);
   ASSERT_TRUE(result.agreement) << result.agreement_skipped;
   EXPECT_NEAR(result.agreement->window[1], 0.20, 1e-12);
-  EXPECT_FALSE(result.agreement->passed);
+  EXPECT_EQ(result.agreement->outcome, Outcome::disagree);
 
   result.runs[0].ended = Ended::rupture;
   judge(result);
@@ -213,7 +219,7 @@ TEST(Comparison, HoldsTheCalibratedContinuaBesideTheMembrane) {
 
 TEST(Comparison, GivesRatiosAndRegimesPerDepth) {
   validate::Run stiff = atoms({5, 10, 15, 20, 25}, {1.30, 1.10, 1.00, 0.90, 0.80});
-  stiff.artefact.back() = true;
+  stiff.atoms().artefact.back() = true;
   for (std::size_t i = 0; i < 5; ++i) stiff.energy_eV.push_back(1.5 * std::pow(stiff.depth_A[i], 4));
   validate::Run twin = membrane();
   for (const double d : twin.depth_A) twin.energy_eV.push_back(std::pow(d, 4));

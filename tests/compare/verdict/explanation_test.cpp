@@ -9,7 +9,7 @@ namespace {
 
 validate::Run cubic(double stiffness, const std::vector<double>& depths) {
   validate::Run run;
-  run.load = "disc";
+  run.load = LoadKind::disc;
   run.a_A = 100;
   for (const double d : depths) {
     run.depth_A.push_back(d);
@@ -25,7 +25,7 @@ TEST(Explanation, SharesAddUpToTheWholeDifference) {
   const validate::Run plain = cubic(1.0, grid), paired = cubic(0.98, grid), bending = cubic(1.2, grid),
                       law = cubic(1.1, grid);
   validate::Run atoms = cubic(1.15, {2, 8, 20, 30});
-  atoms.artefact = {false, false, true, false};
+  atoms.part.emplace<AtomsPart>().artefact = {false, false, true, false};
   const auto found = explain(atoms, {&plain, &paired, &bending, &law}, {{2, 4, 20}, {1.01, 1.02, 1.06}});
   ASSERT_TRUE(found);
   ASSERT_EQ(found->depth_A, (std::vector{2.0, 8.0}));  // 20 is an artefact, 30 beyond the continua

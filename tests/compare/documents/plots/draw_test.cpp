@@ -97,8 +97,8 @@ TEST(Draw, DrawsEveryKindOfResult) {
 
 TEST(Draw, DrawsAZoneWithoutASinglePointOutsideIt) {
   Result torn;
-  torn.runs = {sample::atomistic_run("point", 1, 0)};
-  torn.runs[0].artefact.assign(torn.runs[0].depth_A.size(), true);
+  torn.runs = {sample::atomistic_run(LoadKind::point, 1, 0)};
+  torn.runs[0].atoms().artefact.assign(torn.runs[0].depth_A.size(), true);
   torn.runs[0].converged.assign(torn.runs[0].depth_A.size(), false);
   const TemporaryFolder folder;
   EXPECT_NO_THROW(write_figure(torn, folder.path()));

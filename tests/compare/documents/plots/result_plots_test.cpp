@@ -7,7 +7,6 @@
 #include "compare/base/units.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/plots/force_depth.hpp"
-#include "compare/documents/plots/from_above.hpp"
 #include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "tests/compare/results/sample_result.hpp"
@@ -31,8 +30,8 @@ const PlotCurve& curve(const Panel& panel, const std::string& name) {
 TEST(ForceDepth, ArtefactPointsAreACurveOfTheirOwnAndTheirZoneIsShaded) {
   const Result result = sample::full();
   const Panel panel = force_depth_plot(result).panels.at(0);
-  ASSERT_EQ(result.runs[0].load, "point");
-  ASSERT_TRUE(result.runs[0].artefact.back());
+  ASSERT_EQ(result.runs[0].load, LoadKind::point);
+  ASSERT_TRUE(result.runs[0].atoms().artefact.back());
   const PlotCurve &usable = curve(panel, "atoms, point"), &artefact = curve(panel, "atoms, point, bond ≥ 1.70 Å");
   EXPECT_EQ(usable.x.size() + artefact.x.size(), result.runs[0].depth_A.size());
   EXPECT_EQ(artefact.x, std::vector{22.0});
@@ -77,7 +76,7 @@ TEST(Ratio, ABandOfTheToleranceAndOpenPointsInTheArtefactZone) {
   const Comparison& c = result.comparisons.at(0);
   const auto inside = static_cast<std::size_t>(std::ranges::count(c.regime, Regime::artefact));
   ASSERT_GT(inside, 0u);
-  const std::string name = c.load + ", membrane, card constants";
+  const std::string name = std::string(to_string(c.load)) + ", membrane, card constants";
   EXPECT_EQ(curve(panel, name).x.size(), c.depth_A.size() - inside);
   EXPECT_EQ(curve(panel, name + ", artefact zone").x.size(), inside + 1);  // from the last usable point on
   EXPECT_EQ(curve(panel, name + ", artefact zone").x.front(), curve(panel, name).x.back());
@@ -127,33 +126,6 @@ TEST(ExplanationBars, SharesAddUpToTheAtoms) {
     }
   }
   EXPECT_TRUE(explanation_plot(sample::membrane_only()).panels.empty());
-}
-
-TEST(FromAbove, AtomsByTheirBondsBesideTheMembrane) {
-  const RoundField field{.load = "disc", .tip_A = 10, .radius_A = {0, 20, 40}, .larger_force_eV_per_A2 = {3, 2, 1}};
-  const Plot both = from_above_plot("disc", {{1, 2, 1.42}, {-30, 4, 1.5}}, field);
-  ASSERT_EQ(both.panels.size(), 2u);
-  EXPECT_EQ(both.panels[0].curves.at(0).value, (std::vector{1.42, 1.5}));
-  EXPECT_NEAR(*both.panels[0].x.high, 1.02 * 30, 1e-12);
-  const TriangleMap& map = both.panels[1].maps.at(0);
-  EXPECT_TRUE(map.quarter);
-  double area = 0;
-  for (const auto& c : map.corners) {
-    const Eigen::Vector2d a = c[1] - c[0], b = c[2] - c[0];
-    area += std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  EXPECT_NEAR(area, M_PI * 40 * 40 / 4, 0.002 * M_PI * 40 * 40 / 4);  // chords are shorter than arcs
-  EXPECT_NEAR(map.value.front(), 2.5 * N_per_m_per_eV_per_A2, 1e-12);
-  EXPECT_NEAR(map.value.back(), 1.5 * N_per_m_per_eV_per_A2, 1e-12);
-  EXPECT_EQ(from_above_plot("disc", {}, field).panels.size(), 1u);
-  EXPECT_TRUE(from_above_plot("disc", {}, std::nullopt).panels.empty());
-}
-
-TEST(FromAbove, UnderAPointTheMapBeginsOutsideTheCentre) {
-  RoundField field{
-      .load = "point", .tip_A = 0, .radius_A = {0, 0.3, 1, 100}, .larger_force_eV_per_A2 = {1e9, 30, 20, 10}};
-  const Plot plot = from_above_plot("point", {}, field);
-  EXPECT_NEAR(std::ranges::max(plot.panels.at(0).maps.at(0).value), 15 * N_per_m_per_eV_per_A2, 1e-9);
 }
 
 }  // namespace

@@ -63,14 +63,14 @@ TEST(CurvesCsv, OneRowPerRunAndDepth) {
       const Row& cells = table.rows[row];
       EXPECT_EQ(cells.at("run"), std::to_string(r));
       EXPECT_EQ(cells.at("model"), to_string(run.model));
-      EXPECT_EQ(cells.at("load"), run.load);
+      EXPECT_EQ(cells.at("load"), to_string(run.load));
       EXPECT_EQ(std::stod(cells.at("depth_A")), run.depth_A[i]);
       EXPECT_EQ(std::stod(cells.at("force_eV_per_A")), run.force_eV_per_A[i]);
       EXPECT_NEAR(std::stod(cells.at("force_nN")) / run.force_eV_per_A[i], 1.602176634, 1e-12);
       const bool atoms = run.model == Model::atomistic;
       EXPECT_EQ(cells.at("longest_bond_A").empty(), !atoms && run.constants != Constants::calibrated);
       EXPECT_EQ(cells.at("newton_iterations").empty(), atoms);
-      const std::string flag = !atoms ? "" : run.artefact[i] ? "1" : "0";
+      const std::string flag = !atoms ? "" : run.atoms().artefact[i] ? "1" : "0";
       EXPECT_EQ(cells.at("artefact"), flag);
     }
   }

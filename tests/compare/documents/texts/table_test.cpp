@@ -35,7 +35,7 @@ std::string unbroken(const std::string& text) {
 
 TEST(Table, HasOneRowPerRunWithTheFitAndTheCard) {
   Result result = sample::full();
-  Fit& fit = *result.runs[1].fit;
+  Fit& fit = *closed_form_fit(result.runs[1].fits);
   fit.Eh_eV_per_A2 = 20;
   fit.Eh_stderr_eV_per_A2 = 0.1;
   fit.pretension_eV_per_A2 = -0.01;
@@ -65,17 +65,16 @@ TEST(Table, SaysWhatWasLeftOutAndHowAPathEnded) {
 TEST(Table, StatesTheVerdictWithItsNumbers) {
   Result result = sample::full();
   ASSERT_TRUE(result.agreement);
-  result.agreement->depth_A = {11, 12, 13};
-  result.agreement->ratio = {1.01, 0.96, 1.02};
+  result.agreement->ratios = {{11, 1.01}, {12, 0.96}, {13, 1.02}};
   result.agreement->max_relative_difference = 0.04;
-  result.agreement->passed = true;
+  result.agreement->outcome = Outcome::agree;
   const std::string passed = table(result);
   EXPECT_NE(passed.find("\nAGREEMENT\n"), std::string::npos);
   for (const char* part : {"0.03 to 0.22", "disc load", "4.00 %", "12 Å", "0.9600", "1.00 %", "own law, with bending",
                            "disc load: what a plain membrane lacks"}) {
     EXPECT_NE(unbroken(passed).find(part), std::string::npos) << part << "\nin " << passed;
   }
-  result.agreement->passed = false;
+  result.agreement->outcome = Outcome::disagree;
   EXPECT_NE(table(result).find("\nDISAGREEMENT\n"), std::string::npos);
 }
 

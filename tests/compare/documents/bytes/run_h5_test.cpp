@@ -15,7 +15,7 @@ namespace {
 class RunH5 : public testing::Test {
  protected:
   void write(const Result& result) {
-    write_run_h5(result, folder_.path());
+    write_run_h5(result, folder_ / "run.h5");
     file_ = H5Fopen((folder_ / "run.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     ASSERT_GE(file_, 0);
   }
@@ -71,7 +71,8 @@ TEST_F(RunH5, HoldsTheCurvesWithUnitAndMeaning) {
   const Result result = sample::full();
   write(result);
   EXPECT_EQ(folder_.entries(), 1u);
-  EXPECT_EQ(number("/", "schema"), 1);
+  EXPECT_EQ(number("/", "schema"), 2);
+  EXPECT_EQ(text("/", "command"), "indentation");
   for (std::size_t i = 0; i < result.runs.size(); ++i) {
     const std::string run = "/runs/" + std::to_string(i);
     EXPECT_EQ(column(run + "/depth_A"), result.runs[i].depth_A);
@@ -79,14 +80,16 @@ TEST_F(RunH5, HoldsTheCurvesWithUnitAndMeaning) {
     EXPECT_EQ(text(run + "/force_eV_per_A", "unit"), "eV/Å");
     EXPECT_EQ(text(run + "/force_eV_per_A", "meaning"), "total force on the full sheet");
     EXPECT_EQ(text(run, "model"), to_string(result.runs[i].model));
-    EXPECT_EQ(number(run + "/fit", "Eh_eV_per_A2"), result.runs[i].fit->Eh_eV_per_A2);
+    EXPECT_EQ(number(run + "/fits/0", "Eh_eV_per_A2"), result.runs[i].fits.at(0).Eh_eV_per_A2);
   }
   EXPECT_EQ(number("/runs/5", "Eh_eV_per_A2"), result.runs[5].Eh_eV_per_A2);
   EXPECT_NEAR(number("/card", "Eh_N_per_m"), 277.657, 1e-3);  // 17.33 × 16.02176634
   EXPECT_EQ(number("/case", "radius_A"), 110);
   EXPECT_EQ(number("/case/agreement", "tolerance"), 0.01);
   EXPECT_EQ(text("/provenance", "lammps"), result.provenance.lammps);
-  EXPECT_EQ(column("/agreement/ratio"), result.agreement->ratio);
+  EXPECT_EQ(text("/agreement", "outcome"), to_string(result.agreement->outcome));
+  for (std::size_t i = 0; i < result.agreement->ratios.size(); ++i)
+    EXPECT_EQ(number("/agreement/ratios/" + std::to_string(i), "ratio"), result.agreement->ratios[i].ratio);
 }
 
 TEST_F(RunH5, StoresFlagsAsTheBooleansOfH5py) {
@@ -95,9 +98,9 @@ TEST_F(RunH5, StoresFlagsAsTheBooleansOfH5py) {
   const hid_t set = H5Dopen2(file_, "/runs/0/artefact", H5P_DEFAULT), type = H5Dget_type(set);
   EXPECT_EQ(H5Tget_class(type), H5T_ENUM);
   EXPECT_EQ(H5Tget_nmembers(type), 2);
-  std::vector<signed char> values(result.runs[0].artefact.size());
+  std::vector<signed char> values(result.runs[0].atoms().artefact.size());
   ASSERT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
-  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], result.runs[0].artefact[i]) << i;
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], result.runs[0].atoms().artefact[i]) << i;
   H5Tclose(type);
   H5Dclose(set);
 }
@@ -106,7 +109,7 @@ TEST_F(RunH5, LeavesOutWhatFailed) {
   write(sample::atoms_failed());
   EXPECT_FALSE(exists("/card"));
   EXPECT_FALSE(exists("/agreement"));
-  EXPECT_FALSE(exists("/runs/0/fit"));
+  EXPECT_FALSE(exists("/runs/0/fits/0"));
   EXPECT_TRUE(column("/runs/0/depth_A").empty());
   EXPECT_EQ(H5Aexists_by_name(file_, "/runs/0", "ended", H5P_DEFAULT), 0);
   EXPECT_NE(text("/runs/0", "fit_skipped"), "");
@@ -115,7 +118,7 @@ TEST_F(RunH5, LeavesOutWhatFailed) {
 
 TEST_F(RunH5, SaysWhichFileCannotBeWritten) {
   try {
-    write_run_h5(sample::full(), folder_ / "missing");
+    write_run_h5(sample::full(), folder_ / "missing/run.h5");
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.exit_code(), ExitCode::file_failed);
