@@ -11,8 +11,6 @@
 
 namespace validate {
 
-inline constexpr std::size_t fewest_points_to_fit = 4;
-
 /// How the squared residuals are weighted: all alike, by 1/force², or by 1/σ² of each point.
 enum class Weighting { uniform, relative, sigma };
 

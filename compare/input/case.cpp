@@ -130,8 +130,10 @@ void check_membrane(const Case& c, const Origins& origins) {
 
 void check_lattice(const Case& c, const Origins& origins) {
   if (!(c.radius_A >= smallest_atomistic_radius_A)) {
-    throw bad_input("{}: {} Å is too small for a sheet of atoms; at least three lattice constants, {:.2f} Å",
-                    label_of(origins, "radius"), c.radius_A, smallest_atomistic_radius_A);
+    const double times = c.size_A ? 2 : 1;  // in the words of the user
+    throw bad_input("{}: {} Å is too small for a sheet of atoms; at least {} lattice constants, {:.2f} Å",
+                    label_of(origins, c.size_A ? "size" : "radius"), times * c.radius_A, c.size_A ? "six" : "three",
+                    times * smallest_atomistic_radius_A);
   }
   if (c.models != Models::membrane && !(c.radius_A <= largest_atomistic_radius_A)) {
     throw bad_input(

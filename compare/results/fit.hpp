@@ -12,6 +12,8 @@
 
 namespace validate {
 
+inline constexpr std::size_t fewest_points_to_fit = 4;
+
 /// What a closed form reads from a continuum whose E·h and pretension are known, at the depths of the fit, and what
 /// follows for the curve fitted: E·h by the ratio, the pretension by the difference.
 struct FitBias {
@@ -78,7 +80,8 @@ void describe(Self& fit, Visitor&& visit) {
         fit.correlation_matrix);
   visit(Field{"rms_relative", unit::none, "root mean square residual over the largest force"}, fit.rms_relative);
   visit(Field{"window", unit::length, "first and last depth fitted"}, fit.window_A);
-  visit(Field{"points", unit::none, "number of points fitted"}, fit.points);
+  visit(Field{"points", unit::none, "number of points fitted", {.low = fewest_points_to_fit, .low_open = false}},
+        fit.points);
   visit(Field{"r_squared", unit::none, "share of the forces' scatter that the fit explains"}, fit.r_squared);
   visit(Field{"condition_number", unit::none, "of the Jacobian with columns of equal length"}, fit.condition_number);
   visit(Field{"Eh_bootstrap", unit::membrane_force, "standard error by residual bootstrap"},

@@ -44,7 +44,7 @@ requires SameStruct<Self, SheetSummary>
 void describe(Self& sheet, Visitor&& visit) {
   visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);
   visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"}, sheet.effective_radius_A);
-  visit(Field{"atoms", unit::none, "atoms, clamped ring included"}, sheet.atoms);
+  visit(Field{"atoms", unit::none, "atoms, clamped ring included", positive()}, sheet.atoms);
   visit(Field{"free_atoms", unit::none, "atoms that move"}, sheet.free_atoms);
   visit(Field{"loaded_disc_atoms", unit::none, "atoms that carry the disc load"}, sheet.loaded_disc_atoms);
 }

@@ -19,14 +19,22 @@ hid_t checked(hid_t id, const std::string& what) {
   return id;
 }
 
-/// No document of this program has more values in one place, and no result more in all.
-constexpr hssize_t most_values = hssize_t{1} << 26;
+/// Values that a byte of a file may stand for, in all: this program's files have one in eight bytes, compressed ones
+/// more.
+constexpr std::size_t values_per_byte = 1;
+constexpr std::size_t values_for_a_group = 16;  ///< what reading one takes, as values
+
+void take(OpenFile& file, std::size_t values, const std::string& name) {
+  if (values > file.values_left) cannot_read(fmt::format("{}: {} values are more than the file holds", name, values));
+  file.values_left -= values;
+}
 
 /// An attribute or a data set: what differs between the two calls.
 struct Source {
   Handle handle;
   bool attribute;
   std::string name;
+  OpenFile* file;
 
   Handle space() const {
     return {checked(attribute ? H5Aget_space(handle.get()) : H5Dget_space(handle.get()), name), H5Sclose};
@@ -38,8 +46,14 @@ struct Source {
     const Handle extent = space();
     const hssize_t values = H5Sget_simple_extent_npoints(extent.get());
     if (H5Sget_simple_extent_ndims(extent.get()) > 1) cannot_read(name + ": more than one dimension");
-    if (values < 0 || values > most_values) cannot_read(fmt::format("{}: {} values", name, values));
+    if (values < 0) cannot_read(name + ": how many values");
     return static_cast<std::size_t>(values);
+  }
+  /// To be called once, before memory is taken for them.
+  std::size_t taken() const {
+    const std::size_t values = size();
+    take(*file, values, name);
+    return values;
   }
   void read(hid_t memory, void* into) const {
     const herr_t status = attribute ? H5Aread(handle.get(), memory, into)
@@ -48,8 +62,8 @@ struct Source {
   }
 };
 
-Source attribute_of(hid_t group, const std::string& name) {
-  return {Handle(checked(H5Aopen(group, name.c_str(), H5P_DEFAULT), name), H5Aclose), true, name};
+Source attribute_of(OpenFile& file, hid_t group, const std::string& name) {
+  return {Handle(checked(H5Aopen(group, name.c_str(), H5P_DEFAULT), name), H5Aclose), true, name, &file};
 }
 
 /// Whether a name of the group is there; it has to lead to an object of this file.
@@ -61,9 +75,9 @@ bool is_here(hid_t group, const std::string& name) {
   return true;
 }
 
-std::optional<Source> data_set_of(hid_t group, const std::string& name) {
+std::optional<Source> data_set_of(OpenFile& file, hid_t group, const std::string& name) {
   if (!is_here(group, name)) return std::nullopt;
-  Source source{Handle(checked(H5Dopen2(group, name.c_str(), H5P_DEFAULT), name), H5Dclose), false, name};
+  Source source{Handle(checked(H5Dopen2(group, name.c_str(), H5P_DEFAULT), name), H5Dclose), false, name, &file};
   const Handle properties(checked(H5Dget_create_plist(source.handle.get()), name), H5Pclose);
   if (H5Pget_external_count(properties.get()) != 0 || H5Pget_layout(properties.get()) == H5D_VIRTUAL)
     cannot_read(name + ": its values are kept in another file");
@@ -73,7 +87,7 @@ std::optional<Source> data_set_of(hid_t group, const std::string& name) {
 /// Enumerations (h5py's booleans) through the integers that they are kept as.
 std::vector<double> enumerators_of(const Source& source, hid_t type) {
   const Handle native(checked(H5Tget_native_type(type, H5T_DIR_ASCEND), source.name), H5Tclose);
-  const std::size_t bytes = H5Tget_size(native.get()), count = source.size();
+  const std::size_t bytes = H5Tget_size(native.get()), count = source.taken();
   if (bytes != 1 && bytes != 2 && bytes != 4 && bytes != 8)
     cannot_read(source.name + ": an enumeration of an odd size");
   std::vector<unsigned char> raw(bytes * count);
@@ -92,7 +106,7 @@ std::vector<double> numbers_of(const Source& source) {
   const H5T_class_t kind = H5Tget_class(type.get());
   if (kind == H5T_ENUM) return enumerators_of(source, type.get());
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) cannot_read(source.name + ": not a number");
-  std::vector<double> values(source.size());
+  std::vector<double> values(source.taken());
   if (!values.empty()) source.read(H5T_NATIVE_DOUBLE, values.data());
   return values;
 }
@@ -101,7 +115,7 @@ std::vector<std::string> texts_of(const Source& source) {
   const Handle type = source.type();
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) <= 0)
     cannot_read(source.name + ": not a text of variable length");
-  std::vector<char*> raw(source.size(), nullptr);
+  std::vector<char*> raw(source.taken(), nullptr);
   const Handle memory(checked(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), source.name), H5Tclose);
   if (!raw.empty()) source.read(memory.get(), raw.data());
   std::vector<std::string> texts;
@@ -115,6 +129,7 @@ std::vector<std::string> texts_of(const Source& source) {
 std::optional<ReadGroup> ReadGroup::group(std::string_view name) const {
   const std::string owned(name);
   if (!is_here(group_.get(), owned)) return std::nullopt;
+  take(*file_, values_for_a_group, owned);
   return ReadGroup(file_, Handle(checked(H5Gopen2(group_.get(), owned.c_str(), H5P_DEFAULT), owned), H5Gclose));
 }
 
@@ -127,7 +142,7 @@ double ReadGroup::number(const std::string& attribute) const {
 }
 
 std::vector<double> ReadGroup::numbers(const std::string& attribute) const {
-  return numbers_of(attribute_of(group_.get(), attribute));
+  return numbers_of(attribute_of(*file_, group_.get(), attribute));
 }
 
 std::string ReadGroup::text(const std::string& attribute) const {
@@ -137,32 +152,32 @@ std::string ReadGroup::text(const std::string& attribute) const {
 }
 
 std::vector<std::string> ReadGroup::texts(const std::string& attribute) const {
-  return texts_of(attribute_of(group_.get(), attribute));
+  return texts_of(attribute_of(*file_, group_.get(), attribute));
 }
 
 std::vector<double> ReadGroup::column(const std::string& name) const {
-  const auto source = data_set_of(group_.get(), name);
+  const auto source = data_set_of(*file_, group_.get(), name);
   return source ? numbers_of(*source) : std::vector<double>{};
 }
 
 std::vector<std::string> ReadGroup::text_column(const std::string& name) const {
-  const auto source = data_set_of(group_.get(), name);
+  const auto source = data_set_of(*file_, group_.get(), name);
   return source ? texts_of(*source) : std::vector<std::string>{};
 }
 
 NumberSet ReadGroup::number_set(const std::string& name) const {
-  const auto source = data_set_of(group_.get(), name);
+  const auto source = data_set_of(*file_, group_.get(), name);
   if (!source) return {};
   NumberSet set{numbers_of(*source), {}, {}, 1};
   const auto text = [&](const char* attribute, std::string& into) {
     if (H5Aexists(source->handle.get(), attribute) <= 0) return;
-    const auto texts = texts_of(attribute_of(source->handle.get(), attribute));
+    const auto texts = texts_of(attribute_of(*file_, source->handle.get(), attribute));
     if (texts.size() == 1) into = texts.front();
   };
   text("unit", set.unit);
   text("meaning", set.meaning);
   if (H5Aexists(source->handle.get(), "components") > 0) {
-    const auto components = numbers_of(attribute_of(source->handle.get(), "components"));
+    const auto components = numbers_of(attribute_of(*file_, source->handle.get(), "components"));
     if (components.size() != 1 || !(components[0] >= 1 && components[0] <= 9)) cannot_read(name + ": components");
     set.components = static_cast<int>(components[0]);
   }
@@ -197,10 +212,11 @@ ReadGroup open_file(const std::filesystem::path& file, std::string_view label) {
   const std::string start = label.empty() ? "" : std::string(label) + ": ";
   if (!std::filesystem::is_regular_file(file)) throw bad_input("{}there is no file '{}'", start, file.string());
   if (H5Fis_hdf5(file.c_str()) <= 0) throw bad_input("{}'{}' is not an HDF5 file", start, file.string());
-  auto handle =
-      std::make_shared<Handle>(checked(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file.string()), H5Fclose);
-  Handle root(checked(H5Gopen2(handle->get(), "/", H5P_DEFAULT), "root group"), H5Gclose);
-  return {std::move(handle), std::move(root)};
+  auto open = std::make_shared<OpenFile>(
+      OpenFile{{checked(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file.string()), H5Fclose},
+               values_per_byte * std::filesystem::file_size(file)});
+  Handle root(checked(H5Gopen2(open->handle.get(), "/", H5P_DEFAULT), "root group"), H5Gclose);
+  return {std::move(open), std::move(root)};
 }
 
 }  // namespace validate::h5

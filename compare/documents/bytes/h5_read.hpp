@@ -13,6 +13,13 @@
 
 namespace validate::h5 {
 
+/// An open file and how many values it may still give: one that claims more than it has bytes for, or leads to the same
+/// group again and again, is refused before memory is.
+struct OpenFile {
+  Handle handle;
+  std::size_t values_left = 0;
+};
+
 /// A data set of numbers with the attributes that say what it holds.
 struct NumberSet {
   std::vector<double> values;
@@ -22,10 +29,10 @@ struct NumberSet {
 
 /// A group opened for reading. Names that are not there are no error where the answer says so; anything else throws
 /// Error (file failed): a link that is not to an object of this file, another class than asked for, texts of fixed
-/// length, more than one dimension, more values than any document of this program has.
+/// length, more than one dimension, more values than the file can hold.
 class ReadGroup {
  public:
-  ReadGroup(std::shared_ptr<Handle> file, Handle group) : file_(std::move(file)), group_(std::move(group)) {}
+  ReadGroup(std::shared_ptr<OpenFile> file, Handle group) : file_(std::move(file)), group_(std::move(group)) {}
 
   std::optional<ReadGroup> group(std::string_view name) const;
 
@@ -43,7 +50,7 @@ class ReadGroup {
   std::vector<std::string> data_set_names() const;
 
  private:
-  std::shared_ptr<Handle> file_;  // stays open as long as one of its groups
+  std::shared_ptr<OpenFile> file_;  // stays open as long as one of its groups
   Handle group_;
 };
 

@@ -44,7 +44,10 @@ class ReadFrom {
     } else {
       for (const double value : group_.column(key(field))) values.push_back(number_as<T>(value, key(field)));
     }
-    if (values.empty()) return;
+    if (values.empty()) {
+      if (!field.may_lack && missing_.empty()) missing_ = key(field);
+      return;
+    }
     if (length_ != 0 && values.size() != length_)
       throw bad_input("run.h5: the column '{}' has {} values beside columns of {}", key(field), values.size(), length_);
     length_ = values.size();
@@ -66,6 +69,8 @@ class ReadFrom {
   void operator()(const Field& field, std::shared_ptr<const Result>& result) {
     const auto group = group_.group(field.name);
     if (!group) return;
+    if (group->has_attribute("command") && group->text("command") == to_string(Command::batch))
+      throw bad_input("run.h5: a batch in a batch");
     Result read;
     read_struct(*group, read);
     result = std::make_shared<const Result>(std::move(read));
@@ -95,6 +100,12 @@ class ReadFrom {
   template <class T>
   void operator()(const Field& field, T& value) {
     if (place(field).has_attribute(key(field))) read_value(place(field), key(field), value);
+  }
+
+  /// To be called once everything is read: columns are there together or not at all.
+  void check_columns() const {
+    if (length_ != 0 && !missing_.empty())
+      throw bad_input("run.h5: the column '{}' is missing beside columns of {}", missing_, length_);
   }
 
  private:
@@ -140,11 +151,14 @@ class ReadFrom {
   std::optional<h5::ReadGroup> table_;
   std::string_view table_name_;
   std::size_t length_ = 0;
+  std::string missing_;
 };
 
 template <Described Struct>
 void read_struct(const h5::ReadGroup& group, Struct& s) {
-  describe(s, ReadFrom(group));
+  ReadFrom walk(group);
+  describe(s, walk);
+  walk.check_columns();
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "compare/documents/texts/schema.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -23,16 +23,17 @@ std::vector<Struct> prototypes(const Struct&) {
 template <Described Struct>
 Json schema_for(const Field& field, const Struct& s);
 
-Json schema_for(const Field& field, double) {
-  Json schema{{"type", {"number", "null"}}};
+Json within_range(const Field& field, Json schema) {
   const auto [low, high, low_open, high_open] = field.range;
   if (std::isfinite(low)) schema[low_open ? "exclusiveMinimum" : "minimum"] = low;
   if (std::isfinite(high)) schema[high_open ? "exclusiveMaximum" : "maximum"] = high;
   return schema;
 }
+
+Json schema_for(const Field& field, double) { return within_range(field, {{"type", {"number", "null"}}}); }
 Json schema_for(const Field&, bool) { return {{"type", "boolean"}}; }
-Json schema_for(const Field&, int) { return {{"type", "integer"}}; }
-Json schema_for(const Field&, long) { return {{"type", "integer"}}; }
+Json schema_for(const Field& field, int) { return within_range(field, {{"type", "integer"}}); }
+Json schema_for(const Field& field, long) { return within_range(field, {{"type", "integer"}}); }
 Json schema_for(const Field&, const std::string&) { return {{"type", {"string", "null"}}}; }
 Json schema_for(const Field&, const Pair&) {
   return {{"type", "array"}, {"items", {{"type", {"number", "null"}}}}, {"minItems", 2}, {"maxItems", 2}};
@@ -107,11 +108,43 @@ class AddProperties {
   Json& schema_;
 };
 
+/// What one member owes to another, beyond the members themselves.
+template <class Struct>
+void add_relations(const Struct&, Json&) {}
+
+/// One of the two is there: what was found (an object, or a list with something in it), or the reason why not.
+Json either_or_why(const char* found, Json there, Json missing, const char* why) {
+  return Json::array({{{"properties", {{found, std::move(there)}}}, {"not", {{"required", {why}}}}},
+                      {{"properties", {{found, std::move(missing)}}}, {"required", {why}}}});
+}
+
+void add_relations(const Run& run, Json& schema) {
+  Json& properties = schema["properties"];
+  if (run.is_atomistic()) {
+    properties["model"] = {{"const", to_string(Model::atomistic)}, {"description", properties["model"]["description"]}};
+    properties["constants"] = {{"type", "null"}};
+  } else {
+    properties["model"]["enum"] = {to_string(Model::membrane), to_string(Model::sheet)};
+    properties["constants"]["enum"] = all_words<Constants>;
+  }
+  schema["anyOf"] = either_or_why("fits", {{"minItems", 1}}, {{"maxItems", 0}}, "fit_skipped");
+}
+
+void must_be_sha256(Json& property) { property["pattern"] = "^[0-9a-f]{64}$"; }
+void add_relations(const Provenance&, Json& schema) { must_be_sha256(schema["properties"]["potential_sha256"]); }
+void add_relations(const PotentialSummary&, Json& schema) { must_be_sha256(schema["properties"]["sha256"]); }
+
+void add_relations(const Result& result, Json& schema) {
+  if (result.is_experiment())
+    schema["anyOf"] = either_or_why("agreement", {{"type", "object"}}, {{"type", "null"}}, "agreement_skipped");
+}
+
 template <Described Struct>
 Json object_schema(const Struct& prototype) {
   Json schema{
       {"type", "object"}, {"properties", Json::object()}, {"required", Json::array()}, {"additionalProperties", false}};
   describe_with_twins(prototype, AddProperties(schema));
+  add_relations(prototype, schema);
   return schema;
 }
 
@@ -122,6 +155,13 @@ Json schema_for(const Field&, const Struct& s) {
   return forms.size() == 1 ? forms[0] : Json{{"anyOf", forms}};
 }
 
+/// Commands whose documents are of the same form.
+std::vector<std::string_view> names_of(Command command) {
+  if (command == Command::indentation || command == Command::bulge)
+    return {to_string(Command::indentation), to_string(Command::bulge)};
+  return {to_string(command)};
+}
+
 }  // namespace
 
 Json schema_of(Command command) {
@@ -129,12 +169,14 @@ Json schema_of(Command command) {
   prototype.command = command;
   if (command == Command::potential) prototype.card.emplace();
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-              {"title", fmt::format("documents of validate {}, schema {}", to_string(command), document_schema)},
+              {"title", fmt::format("documents of validate {}, schema {}", fmt::join(names_of(command), " and "),
+                                    document_schema)},
               {"description",
                "A name ends in its unit. Forces are totals on the full sheet. What failed or is not known is "
                "null, never 0."}};
   schema.update(object_schema(prototype));
   schema["properties"]["schema"] = {{"const", document_schema}};
+  schema["properties"]["command"]["enum"] = names_of(command);
   return schema;
 }
 

@@ -119,9 +119,9 @@ TEST(Flags, HelpGivesUnitRangeDefaultAndChoices) {
   CLI::App command;
   const CaseFlags flags(command, Case());
   const std::string help = command.help();
-  for (const char* words :
-       {"radius of the free sheet; > 0 Å; default 110", "default point,disc", "membrane, atomistic, both; default both",
-        "> -1 and < 1", "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.03,0.5"}) {
+  for (const char* words : {"radius of the free sheet, half the side of a square; > 0 Å; default 110",
+                            "default point,disc", "membrane, atomistic, both; default both", "> -1 and < 1",
+                            "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.03,0.5"}) {
     EXPECT_NE(help.find(words), std::string::npos) << words;
   }
 }

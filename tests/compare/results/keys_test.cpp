@@ -25,7 +25,8 @@ TEST(Keys, MembraneForcesComeInBothUnits) {
   describe_with_twins(fit, [&found](const Field& field, const auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, double>) found[key(field)] = value;
-    if constexpr (std::is_same_v<Value, std::optional<double>>) found[key(field)] = value.value();
+    if constexpr (std::is_same_v<Value, std::optional<double>>)
+      if (value) found[key(field)] = *value;
   });
   EXPECT_DOUBLE_EQ(found.at("Eh_eV_per_A2"), 2);
   EXPECT_DOUBLE_EQ(found.at("Eh_N_per_m"), 2 * 16.02176634);  // exact: elementary charge, SI 2019

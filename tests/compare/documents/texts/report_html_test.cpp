@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/documents/bytes/html.hpp"
+#include "tests/compare/results/complete_result.hpp"
 #include "tests/compare/results/sample_result.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -35,7 +36,8 @@ TEST(Html, WritesPicturesInBase64) {  // test vectors of RFC 4648
 
 TEST(Report, SaysWhatWasFound) {
   const TemporaryFolder folder;
-  const Result result = sample::full();
+  Result result = sample::full();  // whose like-for-like membrane has kept its sheet
+  result.runs[3].continuum().pictures = std::make_shared<const std::vector<SheetPicture>>(1, sample::picture());
   write_report(result, folder.path(), folder / "report.html");
   EXPECT_EQ(folder.entries(), 1u) << "nothing but the page";
   const std::string page = folder.read("report.html");
