@@ -7,7 +7,6 @@
 
 #include "tests/cli/run_program.hpp"
 #include "tests/cli/run_support.hpp"
-#include "tests/support/json_schema.hpp"
 
 namespace {
 
@@ -45,11 +44,10 @@ TEST(Batch, RunsEveryPairInAFolderOfItsOwnAndCanBeResumed) {
   const Outcome outcome = run_validate(batch({}), folder.path());
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
   const json all = document(folder.path() / "batch" / "summary.json");
-  EXPECT_EQ(support::JsonSchema(support::read_json(BATCH_SCHEMA)).problems(all), Words{});
+  cli_tests::expect_valid(all, "batch");
   ASSERT_EQ(all["cases"].size(), 4u);
-  const support::JsonSchema schema(support::read_json(SUMMARY_SCHEMA));
   for (const json& entry : all["cases"]) {
-    EXPECT_EQ(schema.problems(entry["summary"]), Words{});
+    cli_tests::expect_valid(entry["summary"]);
     EXPECT_EQ(entry["summary"]["case"]["radius_A"], entry["radius_A"]);
     EXPECT_EQ(entry["summary"]["case"]["potential"], entry["potential"]);
     EXPECT_EQ(entry["summary"],
@@ -170,28 +168,6 @@ TEST(Batch, ChecksEveryCaseBeforeTheFirstStarts) {
   refused({"indentation", "--radius", "60,5"}, "too small");
   refused({"indentation", "--radius", "60,60"}, "named twice");
   EXPECT_TRUE(fs::is_empty(folder.path()));
-}
-
-TEST(ReportCommand, MakesThePageAgainWithoutComputing) {
-  const WorkFolder folder;
-  const Words membrane = {"indentation", "--models",     "membrane", "--radius", "0.5 um",  "--E",    "1.0209 TPa",
-                          "--thickness", "0.335 nm",     "--nu",     "0.165",    "--loads", "disc",   "--tip-radius",
-                          "16.5 nm",     "--depth-step", "25 nm",    "--out",    "run",     "--quiet"};
-  ASSERT_EQ(run_validate(membrane, folder.path()).exit_code, 0);
-  const auto text = [&](const fs::path& file) {
-    std::ifstream in(file);
-    return std::string{std::istreambuf_iterator<char>(in), {}};
-  };
-  const std::string before = text(folder.path() / "run" / "report.html");
-  ASSERT_FALSE(before.empty());
-  fs::remove(folder.path() / "run" / "report.html");
-  EXPECT_EQ(run_validate({"report", "run/run.h5"}, folder.path()).exit_code, 0);
-  EXPECT_EQ(text(folder.path() / "run" / "report.html"), before);
-  EXPECT_EQ(run_validate({"report", "run", "--out", "page.html"}, folder.path()).exit_code, 0);
-  EXPECT_EQ(text(folder.path() / "page.html"), before);
-  const Outcome refused = run_validate({"report", "run/summary.json"}, folder.path());
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("not an HDF5 file"), std::string::npos);
 }
 
 }  // namespace

@@ -4,8 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/run_program.hpp"
-#include "tests/support/json_schema.hpp"
+#include "tests/cli/run_support.hpp"
 
 namespace {
 
@@ -24,18 +23,20 @@ TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
                    folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json document = json::parse(outcome.out);
-  EXPECT_EQ(support::JsonSchema(support::read_json(std::string(SOURCE_INPUTS) + "/fit.schema.json")).problems(document),
-            std::vector<std::string>{});
+  cli_tests::expect_valid(document, "fit");
   const double pretension[] = {0.34, 0.07, 0.07};
   for (int i = 0; i < 3; ++i) {
-    const json& fit = document["curves"][i]["fit"];
-    EXPECT_NEAR(fit["direct"]["Eh_N_per_m"].get<double>(), 342, 0.005 * 342);
-    EXPECT_NEAR(fit["direct"]["pretension_N_per_m"].get<double>(), pretension[i],
-                4 * fit["direct"]["pretension_stderr_N_per_m"].get<double>());
+    ASSERT_EQ(document["curves"][i]["fits"].size(), 2u);
+    const json &fit = document["curves"][i]["fits"][0], &direct = document["curves"][i]["fits"][1];
+    EXPECT_EQ(fit["model"], "eq16");
+    EXPECT_EQ(direct["model"], "membrane");
+    EXPECT_NEAR(direct["Eh_N_per_m"].get<double>(), 342, 0.005 * 342);
+    EXPECT_NEAR(direct["pretension_N_per_m"].get<double>(), pretension[i],
+                4 * direct["pretension_stderr_N_per_m"].get<double>());
     EXPECT_GT(fit["Eh_N_per_m"].get<double>(), 380);  // Eq. 16 does not
     EXPECT_FALSE(fit["warnings"].empty());
   }
-  EXPECT_LT(document["curves"][2]["fit"]["pretension_N_per_m"].get<double>(),
+  EXPECT_LT(document["curves"][2]["fits"][0]["pretension_N_per_m"].get<double>(),
             0.01);  // hardly any, or the wrong sign
   for (const char* name :
        {"fit.json", "fit-synthetic-034.svg", "fit-synthetic-034.png", "fit-synthetic-034.csv", "fit-synthetic-007.svg"})

@@ -46,12 +46,16 @@ TEST_F(PotentialCommand, WritesFilesAndJson) {
     EXPECT_GT(curve["secant_at_2_percent_N_per_m"].get<double>(), curve["secant_at_10_percent_N_per_m"].get<double>());
     EXPECT_EQ(curve["strain"].size(), curve["stress_eV_per_A2"].size());
   }
-  EXPECT_EQ(card["states"].size(), 176u);
-  EXPECT_EQ(card["law"]["terms"].size(), 33u);
+  EXPECT_EQ(card["states"]["E11"].size(), 176u);
+  expect_valid(card, "card");
+  EXPECT_EQ(card["law"]["coefficient_eV_per_A2"].size(), 33u);
   EXPECT_LT(card["law"]["worst_misfit"].get<double>(), 1e-3);
   EXPECT_TRUE(card["law"]["convex"].get<bool>());
   EXPECT_EQ(card["potential"]["sha256"].get<std::string>().size(), 64u);
-  for (const char* name : {"card.json", "law.toml", "stress-strain.csv", "stress-strain.svg", "stress-strain.png"})
+  const Outcome report = run_validate({"report", "card"}, folder_.path());
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  for (const char* name : {"card.json", "run.h5", "report.html", "law.toml", "stress-strain.csv", "stress-strain.svg",
+                           "stress-strain.png"})
     EXPECT_GT(fs::file_size(folder_.path() / "card" / name), 1000u) << name;
   EXPECT_EQ(document(folder_.path() / "card/card.json"), card);
 }

@@ -17,8 +17,8 @@ Words small_run(const Words& more);
 
 nlohmann::json document(const std::filesystem::path& file);
 
-/// Against inputs/summary.schema.json.
-void expect_valid(const nlohmann::json& summary);
+/// Against a schema of inputs/.
+void expect_valid(const nlohmann::json& document, const std::string& schema = "summary");
 
 /// Exit code, and words that the message must hold.
 void expect_says(const Outcome& outcome, int exit_code, const Words& words);

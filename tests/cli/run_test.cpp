@@ -31,7 +31,8 @@ TEST(MainJob, WritesTheWholeRunFolder) {
   expect_valid(summary);
   // Two loads: atoms, membrane of the card, of the paper, of the calibrated law, and the sheet of the calibrated law.
   EXPECT_EQ(summary["runs"].size(), 10u);
-  EXPECT_EQ(outcome.exit_code == 0, summary["agreement"]["passed"].get<bool>());
+  EXPECT_EQ(outcome.exit_code == 0, summary["agreement"]["outcome"] == "agree");
+  EXPECT_EQ(outcome.exit_code, summary["exit_code"]);
   EXPECT_EQ(summary["agreement"]["against"], "sheet");
   EXPECT_EQ(summary["explanation"].size(), 2u);
   EXPECT_NE(outcome.err.find("evaluations"), std::string::npos) << "progress";
@@ -66,10 +67,10 @@ TEST(MainJob, JudgesDepthsThatBracketTheWindow) {
                folder.path());
   const json agreement = document(folder.path() / "run" / "summary.json")["agreement"];
   const double a = document(folder.path() / "run" / "summary.json")["sheet"]["effective_radius_A"];
-  EXPECT_LE(agreement["depth_A"].front().get<double>(), 0.10 * a);
-  EXPECT_GT(agreement["depth_A"].front().get<double>(), 0.085 * a);
-  EXPECT_GE(agreement["depth_A"].back().get<double>(), 0.15 * a);
-  EXPECT_LT(agreement["depth_A"].back().get<double>(), 0.17 * a);
+  EXPECT_LE(agreement["ratios"].front()["depth_A"].get<double>(), 0.10 * a);
+  EXPECT_GT(agreement["ratios"].front()["depth_A"].get<double>(), 0.085 * a);
+  EXPECT_GE(agreement["ratios"].back()["depth_A"].get<double>(), 0.15 * a);
+  EXPECT_LT(agreement["ratios"].back()["depth_A"].get<double>(), 0.17 * a);
 }
 
 TEST(MainJob, TheSheetsWindowReachesFromThreePercentToLongBonds) {
@@ -81,8 +82,8 @@ TEST(MainJob, TheSheetsWindowReachesFromThreePercentToLongBonds) {
   ASSERT_FALSE(summary["agreement"].is_null()) << summary["agreement_skipped"];
   const json& agreement = summary["agreement"];
   const double a = summary["sheet"]["effective_radius_A"];
-  EXPECT_LE(agreement["depth_A"].front().get<double>(), 0.03 * a);
-  EXPECT_GT(agreement["depth_A"].front().get<double>(), 0.025 * a);
+  EXPECT_LE(agreement["ratios"].front()["depth_A"].get<double>(), 0.03 * a);
+  EXPECT_GT(agreement["ratios"].front()["depth_A"].get<double>(), 0.025 * a);
   const json& atoms = run_of(summary, "atomistic", "disc");
   EXPECT_GE(atoms["longest_bond_A"].back(), 1.65);  // the path goes on until the window ends
   EXPECT_LT(atoms["longest_bond_A"].back(), 1.70);

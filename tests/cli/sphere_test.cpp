@@ -26,7 +26,7 @@ TEST(Sphere, PressesBothSheetsAlikeAndCanBeJudged) {
   EXPECT_EQ(card["a_A"], atoms["a_A"]);
   EXPECT_EQ(card["record_radius_A"], atoms["record_radius_A"]);
   EXPECT_EQ(summary["agreement"]["load"], "sphere");
-  EXPECT_GE(summary["agreement"]["depth_A"].size(), 2u);
+  EXPECT_GE(summary["agreement"]["ratios"].size(), 2u);
   // The depth of record is the sheet's at one bond from the axis: above the sphere's lowest point there by b²/2R, and
   // by what the atom has sunk in.
   const double bond = atoms["record_radius_A"], rise = 5 - std::sqrt(25 - bond * bond);

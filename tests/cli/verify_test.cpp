@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/run_program.hpp"
+#include "tests/cli/run_support.hpp"
 
 namespace {
 
@@ -21,6 +21,8 @@ TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
   EXPECT_NE(outcome.err.find("patch: "), std::string::npos) << outcome.err;
   std::ifstream file(folder.path() / "rows.json");
   const json document = json::parse(file);
+  cli_tests::expect_valid(document, "verify");
+  EXPECT_EQ(document["command"], "verify");
   const auto rows = document["rows"].size();
   EXPECT_GE(rows, 20u);
   EXPECT_EQ(document["passed"], rows);

@@ -9,6 +9,7 @@
 #include "atomistic/cell/response.hpp"
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/input/potential_file.hpp"
+#include "compare/pairing/guides.hpp"
 #include "compare/pairing/pairing.hpp"
 #include "compare/potential/law/calibrated_law.hpp"
 #include "compare/potential/law/states.hpp"
@@ -42,11 +43,16 @@ std::vector<Guide> guides(const Problem& problem, const std::string& name, const
   validate::Case c;
   c.radius_A = problem.radius_A;
   c.tip_radius_A = load == "sphere" ? problem.radius_A / 4 : problem.radius_A / 11;
-  const validate::PairedSheet pair(c, problem.potential, problem.card);
-  return validate::guides_from(validate::calibrated_experiment(c, problem.card, law(name), pair, load, problem.levels,
-                                                               validate::Model::sheet,
-                                                               problem.potential.artefact_bond_A)
-                                   .problem);
+  c.loads = {validate::from_word<validate::LoadKind>(load).value()};
+  validate::PotentialFile file;
+  file.potential = problem.potential;
+  validate::PotentialCard card;
+  card.card = problem.card;
+  card.law = law(name);
+  const validate::PairedSheet sheet(c, problem.potential, problem.card);
+  validate::ContinuumExperiment guide = validate::pair(c, {file, card, sheet}).front().guide.value();
+  guide.problem.levels = problem.levels;
+  return validate::guides_from(guide.problem);
 }
 
 }  // namespace

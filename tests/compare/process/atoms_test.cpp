@@ -152,7 +152,7 @@ TEST(Curves, TakeOverTheStepsThatAreThereAndKeepWhatCameBeforeAFailure) {
   path.problem.potential.pair_style = "stub linear 2 kill 2";
   const AtomsCurve cut = compute_curves(two_cores, {path}, 1, folder.path(), quiet)[0];
   EXPECT_EQ(cut.steps.size(), 2u);
-  EXPECT_NE(cut.failure.find("atoms, disc: "), std::string::npos);
+  EXPECT_NE(cut.failure.find("atoms, disc load: "), std::string::npos);
   EXPECT_EQ(cut.failure_code, ExitCode::atomistic_failed);
   EXPECT_FALSE(cut.report);
   path.problem.potential.pair_style = "stub linear 3 kill 1";  // a step computed again would be met by the signal

@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::vector<double>;
 
 const Numbers& levels_of(const ContinuumExperiment& e) {
-  return std::visit([](const auto& problem) -> const Numbers& { return problem.levels; }, e.problem);
+  return e.problem.levels;
 }
 
 /// The judged load is another: no level is added for the verdict.
