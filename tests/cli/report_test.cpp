@@ -37,7 +37,7 @@ TEST(ReportCommand, OfAFit) {
                 folder.path())
                 .exit_code,
             0);
-  expect_page(folder, "fit", {"synthetic-034", "eq16", "<svg"});
+  expect_page(folder, "fit", {"synthetic-034.csv", "Eq. 16", "<svg"});
 }
 
 TEST(ReportCommand, OfABatch) {
