@@ -55,8 +55,7 @@ PairedSquare paired_square(const Case& c, const PotentialFile& file, const Poten
   const PairedSheet sheet(c, file.potential, card.card);
   PairedLoad load = pair(c, {file, card, sheet}).front();
   set_levels(c, load);
-  return {sheet.sheet(), load.atoms->problem, load.find(Purpose::like_for_like)->problem,
-          2 * sheet.half_A()};
+  return {sheet.sheet(), load.atoms->problem, load.find(Purpose::like_for_like)->problem, 2 * sheet.half_A()};
 }
 
 std::vector<Found> search_states(const PairedSquare& pair, double pressure_eV_per_A3, const AtomsLaunch& launch,

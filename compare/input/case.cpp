@@ -92,15 +92,15 @@ void check_pressures(const Case& c, const Origins& origins) {
   if (!has_load(c, LoadKind::pressure)) return;
   if (c.pressures_eV_per_A3.empty())
     throw bad_input("{}: at least one pressure is needed", label_of(origins, "pressures"));
+  if (!c.potential.empty() && c.models != Models::membrane && !(c.radius_A <= largest_pressed_radius_A))
+    throw bad_input("{}: {} Å is too large for a sheet of atoms; at most {} Å",
+                    label_of(origins, c.size_A ? "size" : "radius"), 2 * c.radius_A, 2 * largest_pressed_radius_A);
   constexpr double graphene_eV_per_A2 = 8;  // of a potential whose card is not known yet: no potential is softer
   const double Eh = has_given_constants(c) ? *c.E_eV_per_A3 * *c.thickness_A : graphene_eV_per_A2;
   for (const double p : c.pressures_eV_per_A3)
     if (!(p * 2 * c.radius_A <= 0.5 * Eh))
       throw bad_input("{}: {} eV/Å³ over {} Å is beyond half of E × thickness: no such sheet stays whole",
                       label_of(origins, "pressures"), p, 2 * c.radius_A);
-  if (!c.potential.empty() && c.models != Models::membrane && !(c.radius_A <= largest_pressed_radius_A))
-    throw bad_input("{}: {} Å is too large for a sheet of atoms; at most {} Å",
-                    label_of(origins, c.size_A ? "size" : "radius"), 2 * c.radius_A, 2 * largest_pressed_radius_A);
 }
 
 /// What a membrane of given constants can be and bear, in terms of its own modulus.

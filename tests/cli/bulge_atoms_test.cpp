@@ -60,7 +60,7 @@ TEST(BulgeAtoms, AClampedDiscApproachesItsMembrane) {
   EXPECT_GT(before, 0.95);
   for (const char* name : {"atoms.csv", "atoms.svg", "atoms.png", "curves.csv", "atoms-pressure.extxyz", "lammps.log"})
     EXPECT_GT(fs::file_size(folder.path() / "run" / name), 100u) << name;
-  EXPECT_NE(outcome.out.find("atomistic pressure"), std::string::npos);
+  EXPECT_NE(outcome.out.find("atoms' depth"), std::string::npos);
 }
 
 /// Without a fitted number: the potential's own law, and bending. What is left falls with the radius, as a quarter of a
@@ -102,7 +102,7 @@ TEST(BulgeAtoms, ASquareThatSlidesComesInAndStaysInItsPlane) {
 
 TEST(BulgeAtoms, BadInputIsNamedAndLeavesNothing) {
   const WorkFolder folder;
-  expect_says(run_validate(bulge({"--E", "3"}), folder.path()), 2, {"--E", "thickness and nu"});
+  expect_says(run_validate(bulge({"--E", "3"}), folder.path()), 2, {"--E", "card"});
   const auto of_size = [&](const char* size) {
     Words words = bulge({"--pressures", "1e-3"});
     words[4] = size;

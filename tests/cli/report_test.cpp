@@ -27,7 +27,7 @@ void expect_page(const WorkFolder& folder, const std::string& run, const Words& 
 TEST(ReportCommand, OfABulge) {
   const WorkFolder folder;
   ASSERT_EQ(run_validate({"bulge", "--cells", "8", "--out", "run", "--quiet"}, folder.path()).exit_code, 0);
-  expect_page(folder, "run", {"pressure", "<svg", "validate bulge --cells 8"});
+  expect_page(folder, "run", {"pressure", "data:image/png", "validate bulge --cells 8"});
 }
 
 TEST(ReportCommand, OfAFit) {
@@ -37,7 +37,7 @@ TEST(ReportCommand, OfAFit) {
                 folder.path())
                 .exit_code,
             0);
-  expect_page(folder, "fit", {"synthetic-034.csv", "Eq. 16", "<svg"});
+  expect_page(folder, "fit", {"synthetic-034.csv", "eq16", "<svg"});
 }
 
 TEST(ReportCommand, OfABatch) {

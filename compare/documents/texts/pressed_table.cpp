@@ -25,8 +25,8 @@ std::string shown(double value, const char* format, int width) {
 std::string heading(const Result& result, const Run& run) {
   const Case& c = result.resolved;
   return fmt::format("{} of {:g} Å, edge {}, E·h = {:.4g} eV/Å² ({:.4g} N/m), nu = {:g}, {} triangles on the {}{}\n\n",
-                     c.shape, 2 * c.radius_A, c.edge, run.Eh_eV_per_A2, run.Eh_eV_per_A2 * N_per_m_per_eV_per_A2, run.nu,
-                     run.continuum().triangles, c.extent == Extent::quarter ? "quarter" : "full sheet",
+                     c.shape, 2 * c.radius_A, c.edge, run.Eh_eV_per_A2, run.Eh_eV_per_A2 * N_per_m_per_eV_per_A2,
+                     run.nu, run.continuum().triangles, c.extent == Extent::quarter ? "quarter" : "full sheet",
                      c.unrelaxed ? ", compression allowed" : "");
 }
 
@@ -36,11 +36,11 @@ std::string membrane_rows(const Run& run) {
       "    eV/Å³          Å          Å³         %      %        Å        eV/Å³         eV/Å³           eV/Å³\n";
   const ContinuumPart& part = run.continuum();
   for (std::size_t i = 0; i < run.depth_A.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{:10.4e} {:10.3f} {:11.5g} {:9.1f} {:6.1f} {} {:12.5f} {:15.5f} {:15.5f}{}\n",
-                   run.pressure_eV_per_A3[i], run.depth_A[i], run.volume_A3[i], 100 * part.wrinkled_area_fraction[i],
-                   100 * part.slack_area_fraction[i], shown(part.edge_pull_in_A[i], "{:.2f}", 8),
-                   part.stress_1_max_eV_per_A3[i], part.stress_2_min_eV_per_A3[i], part.stress_2_max_eV_per_A3[i],
-                   run.converged[i] ? "" : "  not converged");
+    fmt::format_to(
+        std::back_inserter(text), "{:10.4e} {:10.3f} {:11.5g} {:9.1f} {:6.1f} {} {:12.5f} {:15.5f} {:15.5f}{}\n",
+        run.pressure_eV_per_A3[i], run.depth_A[i], run.volume_A3[i], 100 * part.wrinkled_area_fraction[i],
+        100 * part.slack_area_fraction[i], shown(part.edge_pull_in_A[i], "{:.2f}", 8), part.stress_1_max_eV_per_A3[i],
+        part.stress_2_min_eV_per_A3[i], part.stress_2_max_eV_per_A3[i], run.converged[i] ? "" : "  not converged");
   return text;
 }
 

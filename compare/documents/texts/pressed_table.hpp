@@ -7,8 +7,8 @@
 
 namespace validate {
 
-/// A row per pressure of each membrane of triangles: depth, volume, wrinkled and slack area, stresses; and of the atoms beside it.
-/// Empty where the case has no pressure.
+/// A row per pressure of each membrane of triangles: depth, volume, wrinkled and slack area, stresses; and of the atoms
+/// beside it. Empty where the case has no pressure.
 std::string pressed_table(const Result& result);
 
 }  // namespace validate

@@ -340,7 +340,8 @@ std::string links(const Result& batch) {
 
 std::string experiment_body(const Result& result, const std::vector<ReportFigure>& figures) {
   const std::string pressed = pressed_table(result);
-  const bool indented = std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
+  const bool indented = result.runs.empty() ||
+                        std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
   return heading(result) + (indented ? verdict(result) + headline_tables(result) : std::string()) +
          (pressed.empty() ? pressed : preformatted(pressed)) + figures_html(figures) + comparisons(result) +
          fits(result) + quality(result) + provenance(result);

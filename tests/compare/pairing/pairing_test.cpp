@@ -76,7 +76,8 @@ TEST(Pairing, TheTipIsADiscOfTheLoadedAtomsArea) {
   }
   EXPECT_EQ(pairing.loads()[0].find(Purpose::paper)->run.tip_A, 5);
   EXPECT_TRUE(std::holds_alternative<membrane::PointLoad>(triangles(*pairing.loads()[1].find(Purpose::paper)).load));
-  EXPECT_TRUE(std::holds_alternative<membrane::PointLoad>(rings(*pairing.loads()[1].find(Purpose::nominal_radii)).load));
+  EXPECT_TRUE(
+      std::holds_alternative<membrane::PointLoad>(rings(*pairing.loads()[1].find(Purpose::nominal_radii)).load));
   EXPECT_EQ(std::get<atomistic::DiscLoad>(pairing.loads()[0].atoms->problem.load).radius_A, 5);
 }
 

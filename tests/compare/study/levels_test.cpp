@@ -13,9 +13,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-const Numbers& levels_of(const ContinuumExperiment& e) {
-  return e.problem.levels;
-}
+const Numbers& levels_of(const ContinuumExperiment& e) { return e.problem.levels; }
 
 /// The judged load is another: no level is added for the verdict.
 Case small_case() {
