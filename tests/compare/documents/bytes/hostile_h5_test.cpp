@@ -30,7 +30,9 @@ void replace_attribute(hid_t file, const char* group, const char* name, hid_t ty
   ASSERT_GE(H5Adelete_by_name(file, group, name, H5P_DEFAULT), 0);
   const hid_t attribute = H5Acreate_by_name(file, group, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   ASSERT_GE(attribute, 0);
-  if (value) ASSERT_GE(H5Awrite(attribute, type, value), 0);
+  if (value) {
+    ASSERT_GE(H5Awrite(attribute, type, value), 0);
+  }
   H5Aclose(attribute);
 }
 
@@ -40,7 +42,9 @@ void replace_set(hid_t file, const char* name, hid_t type, const std::vector<hsi
   const hid_t space = H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr);
   const hid_t set = H5Dcreate2(file, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
   ASSERT_GE(set, 0);
-  if (values) ASSERT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), 0);
+  if (values) {
+    ASSERT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), 0);
+  }
   H5Dclose(set);
   H5Sclose(space);
 }
