@@ -66,6 +66,14 @@ struct Listener {
   void operator()(const Other&) const {}
 };
 
+/// A sheet's vectors at every level of every curve are a good part of the program's memory, and only the last are asked
+/// for.
+void keep_last_state(std::vector<atomistic::Step>& steps) {
+  for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+    for (Eigen::VectorXd* state : {&steps[k].positions, &steps[k].forces, &steps[k].factorised_at, &steps[k].virials})
+      state->resize(0);
+}
+
 }  // namespace
 
 int useful_ranks(const AtomsLaunch& launch, int atoms, int side_by_side) {
@@ -90,6 +98,7 @@ std::vector<AtomsCurve> compute_curves(const AtomsLaunch& launch, const std::vec
   });
   for (std::size_t i = 0; i < paths.size(); ++i) {
     curves[i].steps = atomistic::read_finished_steps(steps_folder(work, paths[i]));
+    keep_last_state(curves[i].steps);
     if (outcomes[i].finished) continue;
     curves[i].failure = fmt::format("atoms, {} load: {}", paths[i].name, outcomes[i].failure);
     if (outcomes[i].fault == atomistic::Fault::file) curves[i].failure_code = ExitCode::file_failed;

@@ -18,7 +18,8 @@ struct AtomsPath {
 };
 
 struct AtomsCurve {
-  std::vector<atomistic::Step> steps;  ///< finished ones, those of an interrupted run included
+  std::vector<atomistic::Step> steps;  ///< finished ones, those of an interrupted run included; positions, forces
+                                       ///< and virials of the last alone
   std::optional<atomistic::Report> report;
   std::string failure;  ///< of the program; empty: it came to its end
   ExitCode failure_code = ExitCode::atomistic_failed;
