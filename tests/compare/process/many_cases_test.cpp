@@ -146,8 +146,8 @@ TEST(ManyCases, NotResumedStartEveryCase) {
 /// In a process of its own, which the signal is for; all cases are stopped before the error.
 TEST(ManyCasesDeathTest, ASignalStopsAll) {
   Cases cases;
-  cases.add("sleeps", "trap 'echo stopped >> " + cases.path("told").string() + "; exit 130' TERM; touch " +
-                          cases.path("ready").string() + "; while :; do sleep 0.05; done");
+  cases.add("sleeps", "trap 'trap \"\" TERM; echo stopped >> " + cases.path("told").string() +
+                          "; exit 130' TERM; touch " + cases.path("ready").string() + "; while :; do sleep 0.05; done");
   cases.add("signals",
             "while [ ! -e " + cases.path("ready").string() + " ]; do sleep 0.05; done; kill -TERM $PPID; sleep 60");
   cases.add("never", "touch " + cases.path("started").string());
