@@ -103,6 +103,17 @@ void check_pressures(const Case& c, const Origins& origins) {
                       label_of(origins, "pressures"), p, 2 * c.radius_A);
 }
 
+void check_law(const Case& c, const Origins& origins) {
+  if (c.models == Models::atomistic && c.law.is_chosen())
+    throw bad_input("{}: '{}' is the law of a membrane, and {} is 'atomistic'", label_of(origins, "law"), c.law.name,
+                    label_of(origins, "models"));
+  constexpr double any_Eh_eV_per_A2 = 20, any_nu = 0.2;  // of a potential whose card is not known yet
+  if (has_given_constants(c))
+    law_of(c.law, *c.E_eV_per_A3 * *c.thickness_A, *c.nu, origins);
+  else
+    law_of(c.law, any_Eh_eV_per_A2, any_nu, origins);
+}
+
 /// What a membrane of given constants can be and bear, in terms of its own modulus.
 void check_membrane(const Case& c, const Origins& origins) {
   const double Eh = *c.E_eV_per_A3 * *c.thickness_A;
@@ -268,6 +279,7 @@ std::vector<std::string> check(const Case& c, const Origins& origins) {
   } else {
     check_lattice(c, origins);
   }
+  check_law(c, origins);
   check_loads(c, origins);
   check_whole(c, origins);
   check_pressures(c, origins);

@@ -10,6 +10,7 @@
 #include "compare/base/describe.hpp"
 #include "compare/base/field_value.hpp"
 #include "compare/base/words.hpp"
+#include "compare/input/membrane_law.hpp"
 
 namespace validate {
 
@@ -35,8 +36,8 @@ constexpr auto words(Models) {
                     Word{Models::both, "both"}};
 }
 
-/// What the atoms are held against. Sheet: the potential's own law, with bending; membrane: the paper's law with the
-/// card's constants.
+/// What the atoms are held against. Sheet: the potential's own law, with bending; membrane: the case's law, the paper's
+/// if none is named, with the card's constants.
 enum class Against { sheet, membrane };
 constexpr auto words(Against) { return std::array{Word{Against::sheet, "sheet"}, Word{Against::membrane, "membrane"}}; }
 
@@ -62,6 +63,7 @@ struct Case {
   // [membrane] constants given by the user: E and nu with the thickness, or none; the thickness alone is what stresses
   // are over
   std::optional<double> E_eV_per_A3, thickness_A, nu;
+  MembraneLaw law;  ///< of the membrane with given constants, or with the card's
   Extent extent = Extent::quarter;
   std::optional<double>
       cells;  ///< rings of a disc, cells along a side of the meshed part of a square; absent: the solver's own
@@ -117,6 +119,7 @@ void describe(Self& c, Visitor&& visit) {
           .at_top_too(),
       c.thickness_A);
   visit(Field{"nu", {}, "Poisson's ratio that goes with E", between(-1, 1), "membrane"}.at_top_too(), c.nu);
+  describe_law(c.law, visit);
   visit(Field{"extent", {}, "part that is meshed", {}, "membrane"}.at_top_too(), c.extent);
   visit(Field{"cells", {}, "rings of a disc, cells along a side of a square's meshed part", from_to(8, 500), "membrane"}
             .at_top_too(),

@@ -36,7 +36,13 @@ membrane::Sheet membrane_sheet(const Case& c, LoadKind load, const Eigen::Vector
   return disc;
 }
 
-/// Membrane with its half lengths, constants and pretension; the case supplies the rest.
+/// A named law with the constants of the run.
+void take_law(const MembraneLaw& law, ContinuumExperiment& e) {
+  e.run.law = law.name;
+  e.problem.law = law_of(law, e.run.Eh_eV_per_A2, e.run.nu);
+}
+
+/// Membrane of the paper's law with its half lengths, constants and pretension; the case supplies the rest.
 ContinuumExperiment plain_membrane(const Case& c, LoadKind load, Purpose purpose, Constants constants,
                                    const Eigen::Vector2d& half_A, membrane::Load pattern, double Eh, double nu) {
   ContinuumExperiment e;
@@ -51,7 +57,7 @@ ContinuumExperiment plain_membrane(const Case& c, LoadKind load, Purpose purpose
   e.run.pretension_eV_per_A2 = c.pretension_eV_per_A2;
   membrane::Problem& problem = e.problem;
   problem.sheet = membrane_sheet(c, load, half_A);
-  problem.law = membrane::StVenantKirchhoff{Eh, nu};
+  take_law({}, e);
   problem.prestress_eV_per_A2 = c.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
   problem.relaxed = !c.unrelaxed;
   problem.load = pattern;
@@ -66,6 +72,7 @@ ContinuumExperiment like_for_like(const Case& c, const Material& m, LoadKind loa
   // A square's grid has no circle to take the depth at, and one bond is next to nothing there.
   if (c.shape == Shape::disc) e.run.record_radius_A = e.problem.record_radius_A = m.sheet.sheet().bond_A;
   e.thickness_A = c.thickness_A.value_or(graphite_spacing_A);
+  take_law(c.law, e);
   return e;
 }
 
@@ -82,6 +89,7 @@ ContinuumExperiment given_membrane(const Case& c, LoadKind load) {
       plain_membrane(c, load, Purpose::given, Constants::given, Eigen::Vector2d::Constant(c.radius_A),
                      nominal_load(c, load), *c.E_eV_per_A3 * *c.thickness_A, *c.nu);
   e.thickness_A = *c.thickness_A;
+  take_law(c.law, e);
   return e;
 }
 
@@ -142,7 +150,7 @@ ContinuumExperiment calibrated(const Case& c, const Material& m, LoadKind load, 
 ContinuumExperiment stage(const Case& c, const Material& m, LoadKind load, Purpose purpose) {
   const Model model = purpose == Purpose::bending ? Model::sheet : Model::membrane;
   ContinuumExperiment e = round_sheet(c, m, load, purpose, model, Constants::card);
-  e.problem.law = membrane::StVenantKirchhoff{e.run.Eh_eV_per_A2, e.run.nu};
+  take_law({}, e);
   if (purpose != Purpose::nominal_radii) return e;
   e.run.a_A = c.radius_A;
   e.problem.sheet = membrane::DiscSheet{c.radius_A};

@@ -133,6 +133,7 @@ struct Run {
   Model model = Model::membrane;
   LoadKind load = LoadKind::disc;
   std::optional<Constants> constants;               ///< of a continuum
+  std::string law;                                  ///< by its name; empty: of atoms, or the potential's own
   double a_A = not_known, tip_A = not_known;        ///< radii as used (pairing radii where paired)
   double Eh_eV_per_A2 = not_known, nu = not_known;  ///< as used; for atoms those of the card
   double pretension_eV_per_A2 = 0;
@@ -172,6 +173,7 @@ void describe(Self& run, Visitor&& visit) {
   visit(Field{"constants", unit::none,
               "where a continuum's E·h and nu come from: card, paper, given; calibrated: the potential's own law"},
         run.constants);
+  visit(Field{"law", unit::none, "law of a continuum by its name; not of the potential's own"}.where_known(), run.law);
   visit(Field{"a", unit::length, "clamp radius as used"}, run.a_A);
   visit(Field{"tip", unit::length, "radius of the loaded disc or of the sphere as used"}, run.tip_A);
   visit(Field{"Eh", unit::membrane_force, "sheet modulus as used; for atoms the card's"}, run.Eh_eV_per_A2);

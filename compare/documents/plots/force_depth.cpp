@@ -37,6 +37,11 @@ void add_smooth_points(PlotCurve& smooth, const Run& run) {
   }
 }
 
+// A law that is not the paper's.
+std::string law_of(const Run& run) {
+  return run.law.empty() || run.law == MembraneLaw{}.name ? "" : fmt::format(" ({})", run.law);
+}
+
 // The sheet solid, membranes thin: dash-dotted, dashed with the paper's constants. A calibrated membrane is in the
 // ratios.
 void add_continuum(std::vector<PlotCurve>& all, const Run& run, Colour colour) {
@@ -44,7 +49,7 @@ void add_continuum(std::vector<PlotCurve>& all, const Run& run, Colour colour) {
   const bool sheet = run.model == Model::sheet, paper = run.constants == Constants::paper;
   if (!sheet && run.constants == Constants::calibrated) return;
   PlotCurve curve{.name = sheet ? fmt::format("sheet, {}, calibrated law with bending", run.load)
-                                : fmt::format("membrane, {}, {} constants", run.load, *run.constants),
+                                : fmt::format("membrane{}, {}, {} constants", law_of(run), run.load, *run.constants),
                   .x = {},
                   .y = {},
                   .colour = colour,

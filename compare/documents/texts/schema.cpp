@@ -34,7 +34,10 @@ Json schema_for(const Field& field, double) { return within_range(field, {{"type
 Json schema_for(const Field&, bool) { return {{"type", "boolean"}}; }
 Json schema_for(const Field& field, int) { return within_range(field, {{"type", "integer"}}); }
 Json schema_for(const Field& field, long) { return within_range(field, {{"type", "integer"}}); }
-Json schema_for(const Field&, const std::string&) { return {{"type", {"string", "null"}}}; }
+Json schema_for(const Field& field, const std::string&) {
+  if (!field.choices.empty()) return {{"enum", field.choices}};
+  return {{"type", {"string", "null"}}};
+}
 Json schema_for(const Field&, const Pair&) {
   return {{"type", "array"}, {"items", {{"type", {"number", "null"}}}}, {"minItems", 2}, {"maxItems", 2}};
 }

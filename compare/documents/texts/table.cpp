@@ -240,6 +240,7 @@ std::string table(const Result& result, bool colour) {
     sentence(text, "sheet: R = {:g} Å, effective radius a = {:.3f} Å, {} atoms", sheet->radius_A,
              sheet->effective_radius_A, sheet->atoms);
   }
+  if (result.resolved.law.is_chosen()) sentence(text, "law of the membrane: {}", in_words(result.resolved.law));
   if (!text.empty()) text += '\n';
   const std::string pressed = pressed_table(result);
   text += pressed;

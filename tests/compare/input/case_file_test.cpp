@@ -49,6 +49,9 @@ models = "membrane"
 E = "160.2176634 GPa"
 thickness = "0.335 nm"
 nu = -0.158
+law = "lee"
+third-order = "-16.02176634 N/m"
+second-share = 0.25
 extent = "full"
 cells = 40
 unrelaxed = true
@@ -89,6 +92,8 @@ regime-tolerance = 0.05
   EXPECT_DOUBLE_EQ(c.E_eV_per_A3.value(), 1);
   EXPECT_DOUBLE_EQ(c.thickness_A.value(), 3.35);
   EXPECT_EQ(c.nu.value(), -0.158);
+  EXPECT_EQ(c.law.name, "lee");
+  EXPECT_EQ(c.law.parameters, (std::vector<std::optional<double>>{0.25, -1}));
   EXPECT_EQ(c.extent, Extent::full);
   EXPECT_EQ(c.cells.value(), 40);
   EXPECT_TRUE(c.unrelaxed);

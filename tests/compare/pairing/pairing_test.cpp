@@ -125,6 +125,24 @@ TEST(Pairing, ConstantsAreTheCardsOrThePapers) {
   EXPECT_TRUE(rings(*load.find(Purpose::calibrated_membrane)).relaxed);
 }
 
+TEST(Pairing, TheCasesLawIsThatOfTheLikeForLikeMembraneAlone) {
+  Case c = of_radius(20, {LoadKind::disc});
+  c.law.name = "lee";
+  sample::Pairing pairing(c);
+  const PairedLoad& load = pairing.loads()[0];
+  const ContinuumExperiment& twin = *load.find(Purpose::like_for_like);
+  const auto lee = std::get<membrane::LeeGraphene>(twin.problem.law);
+  EXPECT_DOUBLE_EQ(lee.sheet_modulus_eV_per_A2, 18.75);
+  EXPECT_DOUBLE_EQ(lee.nu, 0.25);
+  EXPECT_EQ(twin.run.law, "lee");
+  for (const Purpose plain : {Purpose::paper, Purpose::nominal_radii, Purpose::paired_radii, Purpose::bending}) {
+    EXPECT_TRUE(std::holds_alternative<membrane::StVenantKirchhoff>(load.find(plain)->problem.law));
+    EXPECT_EQ(load.find(plain)->run.law, "svk");
+  }
+  for (const Purpose own : {Purpose::calibrated_membrane, Purpose::calibrated_sheet})
+    EXPECT_EQ(load.find(own)->run.law, "");
+}
+
 TEST(Pairing, PretensionIsAStrainOfTheAtomsAndTheLawsAnswerToIt) {
   Case c = of_radius(20, {LoadKind::disc});
   c.pretension_eV_per_A2 = 0.5;

@@ -30,8 +30,11 @@ class Fill {
   void operator()(const Field&, long& value) { value = 100000000000 + next(); }
   void operator()(const Field&, bool& value) { value = next() % 2 == 0; }
   void operator()(const Field& field, std::string& value) {
-    value = field.name.ends_with("sha256") ? std::string(64, static_cast<char>('a' + next() % 6))
-                                           : "text " + std::to_string(next()) + ", κ";
+    if (!field.choices.empty())
+      value = field.choices[static_cast<std::size_t>(next()) % field.choices.size()];
+    else
+      value = field.name.ends_with("sha256") ? std::string(64, static_cast<char>('a' + next() % 6))
+                                             : "text " + std::to_string(next()) + ", κ";
   }
   void operator()(const Field&, Command& command) { command = command_; }
   template <Worded Enum>
