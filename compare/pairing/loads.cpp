@@ -10,6 +10,15 @@ namespace {
 
 membrane::Load disc_of(double radius_A) { return membrane::DiscLoad{radius_A}; }
 
+/// One answer for each way in which a load can act: a new one does not compile without.
+struct TipRadius {
+  double operator()(const membrane::CentreForce&) const { return 0; }
+  double operator()(const membrane::SpreadForce& force) const { return force.radius_A; }
+  double operator()(const membrane::RigidSphere& sphere) const { return sphere.radius_A; }
+  double operator()(const membrane::FollowerPressure&) const { return not_known; }
+  double operator()(const membrane::EdgeMotion&) const { return not_known; }
+};
+
 }  // namespace
 
 atomistic::Load atoms_load(const Case& c, LoadKind load) {
@@ -52,12 +61,7 @@ membrane::Load twin_of(const Case& c, const PairedSheet& pair, LoadKind load) {
   throw std::logic_error("a load without a twin");
 }
 
-double tip_radius_A(const membrane::Load& load) {
-  if (const auto* disc = std::get_if<membrane::DiscLoad>(&load)) return disc->radius_A;
-  const auto* sphere = std::get_if<membrane::SphereLoad>(&load);
-  if (std::holds_alternative<membrane::PressureLoad>(load)) return not_known;
-  return sphere ? sphere->radius_A : 0.0;
-}
+double tip_radius_A(const membrane::Load& load) { return std::visit(TipRadius{}, membrane::action_of(load)); }
 
 bool prescribes_force(const Case& c, LoadKind load) { return load == LoadKind::pressure || !c.forces_eV_per_A.empty(); }
 
