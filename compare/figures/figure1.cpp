@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "compare/base/paper.hpp"
 #include "compare/base/units.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/fitting/curve.hpp"
@@ -19,8 +20,8 @@
 namespace validate {
 namespace {
 
-constexpr double nu = 0.165, Eh_N_per_m = 342, Eh_spread_N_per_m = 30, pretension_N_per_m = 0.34;
-constexpr double Eh = Eh_N_per_m / N_per_m_per_eV_per_A2, pretension = pretension_N_per_m / N_per_m_per_eV_per_A2;
+namespace lee = paper::suspended;
+constexpr double nu = lee::nu, Eh = lee::Eh_eV_per_A2, pretension = lee::pretension_eV_per_A2;
 constexpr double nm = 10;  // Å
 constexpr int points = 24;
 
@@ -46,11 +47,11 @@ PlotCurve curve_of(const std::string& name, const std::vector<double>& depth_A,
 }
 
 PlotCurve eq16_band(double a) {
-  PlotCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", Eh_N_per_m, Eh_spread_N_per_m),
+  PlotCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", lee::Eh_N_per_m, lee::Eh_spread_N_per_m),
                  .x = {},
                  .y = {},
                  .colour = Colour::grey};
-  const double spread = Eh_spread_N_per_m / N_per_m_per_eV_per_A2;
+  const double spread = lee::Eh_spread_N_per_m / N_per_m_per_eV_per_A2;
   for (const double d : depths(a)) {
     band.x.push_back(d / nm);
     band.y.push_back(nN_per_eV_per_A * Eq16{a, nu}.force(d, Eh - spread, pretension));
@@ -80,9 +81,9 @@ struct Tip {
 /// A point is a disc of 1e-4 of the radius: a finer mesh changes nothing then.
 std::vector<Tip> tips(double a) {
   return {{1e-4 * a, false, "membrane, point", Colour::blue, {.width = 2}},
-          {16.5 * nm, false, "membrane, disc of 16.5 nm", Colour::vermilion, {.dash = Dash::dashed, .width = 1}},
-          {16.5 * nm, true, "membrane, sphere of 16.5 nm", Colour::vermilion, {.width = 2}},
-          {27.5 * nm, true, "membrane, sphere of 27.5 nm", Colour::green, {.width = 2}}};
+          {lee::tip_A, false, "membrane, disc of 16.5 nm", Colour::vermilion, {.dash = Dash::dashed, .width = 1}},
+          {lee::tip_A, true, "membrane, sphere of 16.5 nm", Colour::vermilion, {.width = 2}},
+          {lee::wide_tip_A, true, "membrane, sphere of 27.5 nm", Colour::green, {.width = 2}}};
 }
 
 struct NamedLaw {
@@ -127,9 +128,9 @@ void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, cons
   if (!fit) return;
   const std::string where = fmt::format("a = {:g} µm, Eq. 16 fitted to {}", a / 1e4, tip.name);
   const std::string source = "Lee et al. 2008, averages";
-  figure.numbers.push_back({where + ": E·h", "N/m", source, Eh_N_per_m, fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
-                            "the membrane has 342 N/m; a tip of finite size is read as a stiffer sheet"});
-  figure.numbers.push_back({where + ": pretension", "N/m", source, pretension_N_per_m,
+  figure.numbers.push_back({where + ": E·h", "N/m", source, lee::Eh_N_per_m, fit->Eh_eV_per_A2 * N_per_m_per_eV_per_A2,
+                            0, "the membrane has 342 N/m; a tip of finite size is read as a stiffer sheet"});
+  figure.numbers.push_back({where + ": pretension", "N/m", source, lee::pretension_N_per_m,
                             fit->pretension_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
                             "the membrane has 0.34 N/m; Eq. 16's pretension term is too large for any small tip"});
 }
@@ -148,7 +149,7 @@ Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
     context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
     const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0, tip.sphere}, Eh, pretension, depths(a));
     panel.curves.push_back(curve_of(tip.name, depths(a), force, tip.colour, tip.line));
-    if (a == 5000 && index < 2)
+    if (a == lee::radius_A && index < 2)
       figure.numbers.push_back({fmt::format("a = 0.5 µm, {}: depth at 1500 nN", tip.name), "nm",
                                 "one-dimensional solver written separately", reference_nm[index],
                                 depth_at(depths(a), force, 1500), 1e-3, ""});
@@ -159,7 +160,7 @@ Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
   panel.curves.push_back(
       curve_of("membrane, point, the paper's 1936 triangles", depths(a), coarse, Colour::blue, std::nullopt));
   panel.curves.back().points = Points{.marker = Marker::square, .open = true};
-  if (a == 5000)
+  if (a == lee::radius_A)
     figure.numbers.push_back({"a = 0.5 µm, point on the paper's 1936 triangles: depth at 1500 nN", "nm",
                               "the converged membrane", depth_at(depths(a), converged, 1500),
                               depth_at(depths(a), coarse, 1500), 0,
@@ -167,13 +168,13 @@ Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
                               "some per cent, whatever the "
                               "mesh-convergence study says"});
   for (const NamedLaw& other : other_laws()) {
-    const SheetCurve curve = sheet_curve({a, nu, 16.5 * nm, 0, false}, other.law, pretension, depths(a));
+    const SheetCurve curve = sheet_curve({a, nu, lee::tip_A, 0, false}, other.law, pretension, depths(a));
     if (!curve.ended_early.empty())
       context.progress.say(fmt::format("figure 1: {} ends at {:.3g} nm: {}", other.name,
                                        curve.depth_A.empty() ? 0 : curve.depth_A.back() / nm, curve.ended_early));
     panel.curves.push_back(curve_of(other.name, curve.depth_A, curve.force_eV_per_A, other.colour, other.line));
   }
-  if (a == 5000)
+  if (a == lee::radius_A)
     figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64,
                               depth_at(depths(a), eq16_forces(a), 1500), 1e-3, ""});
   return panel;
@@ -185,7 +186,7 @@ PaperFigure figure1(const FigureContext& context) {
   PaperFigure figure;
   figure.number = 1;
   figure.title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165";
-  for (const double a : {5000.0, 7500.0}) figure.panels.push_back(panel(a, figure, context));
+  for (const double a : {lee::radius_A, lee::wide_radius_A}) figure.panels.push_back(panel(a, figure, context));
   return figure;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compare/base/errors.hpp"
+#include "compare/base/paper.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/units.hpp"
 #include "compare/figures/paper_figure.hpp"
@@ -23,8 +24,7 @@
 namespace validate {
 namespace {
 
-// The paper's sheet (its reference [30]) and shell: κ = E h³/12(1 − ν²).
-constexpr double radius_A = 110, tip_A = 10, paper_Eh = 5.864 * 1.37, paper_nu = 0.19, paper_bending_eV = 1.30;
+using paper::radius_A, paper::tip_A;
 // Duan & Wang's thickness for a plate of the card's E·h (the paper's reference [47]).
 constexpr double duan_wang_thickness_A = 0.52;
 
@@ -106,10 +106,10 @@ void add_plates(Panel& panel, const Result& result, double tip) {
       {Dash::dotted, 1.2});
   add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), Colour::dark_grey,
       {Dash::long_dashed, 1.2});
-  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper_Eh, paper_nu, paper_bending_eV, tip), Colour::grey,
-      {Dash::dash_dotted, 1.2});
+  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper::Eh_eV_per_A2, paper::nu, paper::shell_bending_eV, tip),
+      Colour::grey, {Dash::dash_dotted, 1.2});
   std::vector<double> eq16;
-  for (const double d : plate_depths()) eq16.push_back(Eq16{radius_A, paper_nu}.force(d, paper_Eh, 0));
+  for (const double d : plate_depths()) eq16.push_back(Eq16{radius_A, paper::nu}.force(d, paper::Eh_eV_per_A2, 0));
   add("Eq. 16, the paper's constants", eq16, Colour::black, {.width = 0.8});
 }
 
@@ -119,7 +119,7 @@ void add_numbers(PaperFigure& figure) {
   const auto depth = [&](double tip) {
     std::vector<double> d;
     for (int i = 1; i <= 40; ++i) d.push_back(0.85 * i);
-    return Curve(membrane_forces({radius_A, paper_nu, tip, 0}, paper_Eh, 0, d), d).at(force).value_or(NAN);
+    return Curve(membrane_forces({radius_A, paper::nu, tip, 0}, paper::Eh_eV_per_A2, 0, d), d).at(force).value_or(NAN);
   };
   figure.numbers.push_back(
       {"membrane, paper's constants, point: depth at 20 eV/Å", "Å", separate, 31.62, depth(0), 1e-3, ""});
@@ -128,7 +128,7 @@ void add_numbers(PaperFigure& figure) {
   std::vector<double> d, eq16;
   for (int i = 1; i <= 400; ++i) {
     d.push_back(0.1 * i);
-    eq16.push_back(Eq16{radius_A, paper_nu}.force(d.back(), paper_Eh, 0));
+    eq16.push_back(Eq16{radius_A, paper::nu}.force(d.back(), paper::Eh_eV_per_A2, 0));
   }
   figure.numbers.push_back({"Eq. 16, paper's constants: depth at 20 eV/Å", "Å", "the formula itself", 31.604,
                             Curve(eq16, d).at(force).value_or(NAN), 1e-4, ""});
@@ -136,7 +136,8 @@ void add_numbers(PaperFigure& figure) {
 
 void add_moduli(PaperFigure& figure, const Result& result, const std::string& potential) {
   figure.numbers.push_back({potential + ": E·h", "N/m", "Gil et al. 2010 (from their reference [30])",
-                            paper_Eh * N_per_m_per_eV_per_A2, result.card->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
+                            paper::Eh_eV_per_A2 * N_per_m_per_eV_per_A2,
+                            result.card->Eh_eV_per_A2 * N_per_m_per_eV_per_A2, 0,
                             "the paper's constants were fitted to an older molecular-mechanics curve"});
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "compare/base/paper.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/figures/stress_field.hpp"
 #include "compare/fitting/curve.hpp"
@@ -13,9 +14,8 @@
 namespace validate {
 namespace {
 
-constexpr double radius_A = 110, tip_A = 10, thickness_A = 1.37, rim_stress = 0.125,
-                 tip_stress = 0.65;  // the paper's
-const membrane::StVenantKirchhoff law{5.864 * thickness_A, 0.19};
+constexpr double rim_stress = 0.125, tip_stress = 0.65;  // of its colour bar, eV/Å³
+const membrane::StVenantKirchhoff law{paper::Eh_eV_per_A2, paper::nu};
 
 struct Reading {
   double force = 0, rim = 0, largest = 0;
@@ -23,7 +23,7 @@ struct Reading {
 
 membrane::Problem problem_of(const membrane::Load& load, std::vector<double> forces) {
   membrane::Problem problem;
-  problem.sheet = membrane::paper_disc(radius_A);
+  problem.sheet = membrane::paper_disc(paper::radius_A);
   problem.law = law;
   problem.load = load;
   problem.control = membrane::Control::force;
@@ -42,7 +42,8 @@ std::vector<std::vector<TriangleStress>> fields(const membrane::Problem& problem
   const membrane::Mesh mesh = membrane::mesh_of(problem);
   std::vector<std::vector<TriangleStress>> all;
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
-    if (step.converged) all.push_back(stress_field(problem, mesh, thickness_A, step.on_triangles().displacements));
+    if (step.converged)
+      all.push_back(stress_field(problem, mesh, paper::thickness_A, step.on_triangles().displacements));
     return step.converged;
   });
   if (!report.converged) throw std::runtime_error("figure 3: " + report.reason);
@@ -103,7 +104,7 @@ PaperFigure figure3(const FigureContext& context) {
   figure.number = 3;
   figure.title = "larger principal Cauchy stress, 1936 triangles, rim at 0.125 eV/Å³";
   add(figure, "point load", membrane::PointLoad{}, context);
-  add(figure, "disc of 10 Å", membrane::DiscLoad{tip_A}, context);
+  add(figure, "disc of 10 Å", membrane::DiscLoad{paper::tip_A}, context);
   return figure;
 }
 

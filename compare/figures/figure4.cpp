@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "compare/base/paper.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/figures/square.hpp"
@@ -12,16 +13,13 @@
 namespace validate {
 namespace {
 
-constexpr double side_A = 220, thickness_A = 1.37, pressure_eV_per_A3 = 5.16529e-4;  // the paper's
-const membrane::StVenantKirchhoff law{5.864 * thickness_A, 0.19};
-
 membrane::Problem paper_problem() {
   membrane::Problem problem;
-  problem.sheet = membrane::paper_square(side_A);
-  problem.law = law;
+  problem.sheet = membrane::paper_square(paper::side_A);
+  problem.law = membrane::StVenantKirchhoff{paper::Eh_eV_per_A2, paper::nu};
   problem.load = membrane::PressureLoad{};
   problem.control = membrane::Control::force;
-  problem.levels = {pressure_eV_per_A3};
+  problem.levels = {paper::pressure_eV_per_A3};
   return problem;
 }
 
@@ -62,7 +60,7 @@ void add_numbers(PaperFigure& figure, const Square& square) {
 
 PaperFigure figure4(const FigureContext& context) {
   context.progress.say("figure 4: pressurised square");
-  const Square square = solve_square(paper_problem(), thickness_A);
+  const Square square = solve_square(paper_problem(), paper::thickness_A);
   PaperFigure figure;
   figure.number = 4;
   figure.title = "square of 220 Å under 5.16529e-4 eV/Å³, edges in their plane, 7200 triangles";

@@ -7,12 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "compare/base/paper.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 
 namespace validate {
 namespace {
-
-constexpr double half_side_A = 110;  // the paper's
 
 /// How far the middle of an edge has moved inwards, at most.
 double pull_in(const membrane::Mesh& mesh, const Eigen::VectorXd& u) {
@@ -77,7 +76,7 @@ PlotCurve wrinkled_outline(const Square& square) {
 }
 
 Panel square_panel(const std::string& title, const char* label) {
-  Panel panel = seen_from_above(title, half_side_A);
+  Panel panel = seen_from_above(title, paper::side_A / 2);
   panel.scale.label = label;
   return panel;
 }

@@ -233,7 +233,7 @@ Case bulge_defaults() {
   c.edge = Edge::sliding;
   c.potential.clear();
   c.loads = {LoadKind::pressure};
-  c.pressures_eV_per_A3 = {5.16529e-4};
+  c.pressures_eV_per_A3 = {paper::pressure_eV_per_A3};
   c.cells = 60;
   return c;
 }
@@ -257,7 +257,7 @@ bool has_given_constants(const Case& c) { return c.E_eV_per_A3 && c.thickness_A 
 double largest_depth_A(const Case& c) { return c.depth_max_A.value_or(depth_max_of_radius * c.radius_A); }
 
 double depth_step_A(const Case& c) {
-  constexpr double step_A = 2, reference_radius_A = 110;
+  constexpr double step_A = 2, reference_radius_A = paper::radius_A;
   if (c.depth_step_A) return *c.depth_step_A;
   if (has_given_constants(c)) return step_A / reference_radius_A * c.radius_A;
   return std::min(step_A, largest_depth_A(c));

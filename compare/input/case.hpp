@@ -9,6 +9,7 @@
 
 #include "compare/base/describe.hpp"
 #include "compare/base/field_value.hpp"
+#include "compare/base/paper.hpp"
 #include "compare/base/words.hpp"
 #include "compare/input/membrane_law.hpp"
 
@@ -47,12 +48,12 @@ constexpr auto words(Centre) { return std::array{Word{Centre::hexagon, "hexagon"
 
 struct Case {
   Shape shape = Shape::disc;
-  double radius_A = 110;         ///< of the free disc, half the side of a square
-  std::optional<double> size_A;  ///< the same in other words, see settle_size
+  double radius_A = paper::radius_A;  ///< of the free disc, half the side of a square
+  std::optional<double> size_A;       ///< the same in other words, see settle_size
   Edge edge = Edge::clamped;
   std::string potential = "airebo";  ///< empty: a membrane of given constants alone
   std::vector<LoadKind> loads = {LoadKind::point, LoadKind::disc};
-  double tip_radius_A = 10;
+  double tip_radius_A = paper::tip_A;
   std::optional<double> depth_max_A;        ///< absent: 0.22 × radius
   std::optional<double> depth_step_A;       ///< absent: 2 Å; radius / 55 for a membrane of given constants
   std::vector<double> forces_eV_per_A;      ///< replaces the depth list when not empty

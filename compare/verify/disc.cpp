@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/base/paper.hpp"
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 
@@ -25,10 +26,12 @@ MeshPair on_both(Problem problem, Measure measure) {
   return {coarse, with(72), meshes};
 }
 
-/// The paper's second case: a = 110 Å, E·h = 5.864 × 1.37 eV/Å², nu = 0.19.
+Problem paper_sheet() { return round_sheet(paper::radius_A, paper::Eh_eV_per_A2, paper::nu, 36); }
+
+/// The paper's second case.
 void paper_case(Ledger& ledger) {
-  Problem problem = round_sheet(110, 5.864 * 1.37, 0.19, 36);
-  problem.load = DiscLoad{10};
+  Problem problem = paper_sheet();
+  problem.load = DiscLoad{paper::tip_A};
   problem.control = Control::force;
   for (const char* depth : {"10", "30", "60"}) {
     const Reference force = tabulated(fmt::format("case2_disc10.force_at_{}_A", depth));
@@ -40,7 +43,7 @@ void paper_case(Ledger& ledger) {
 }
 
 void of_record(Ledger& ledger) {
-  Problem problem = round_sheet(110, 8.03368, 0.19, 36);
+  Problem problem = paper_sheet();
   problem.prestress_eV_per_A2 = isotropic(0.02);
   problem.load = DiscLoad{11};
   problem.control = Control::force;
@@ -53,8 +56,8 @@ void of_record(Ledger& ledger) {
 /// Linear membrane, F/d = 2 pi N0/(ln(a/c) + 1/2), at a depth where stretching adds some 1e-7.
 void shallow(Ledger& ledger) {
   for (const double ratio : {0.02, 0.0909}) {
-    Problem problem = round_sheet(110, 8, 0.19, 36);
-    problem.load = DiscLoad{ratio * 110};
+    Problem problem = round_sheet(paper::radius_A, 8, paper::nu, 36);
+    problem.load = DiscLoad{ratio * paper::radius_A};
     problem.levels = {0.005};
     problem.prestress_eV_per_A2 = isotropic(0.1);
     ledger.begin(fmt::format("pretension alone, c = {} a", ratio));
@@ -69,8 +72,8 @@ void shallow(Ledger& ledger) {
 }
 
 void balance(Ledger& ledger) {
-  Problem problem = round_sheet(110, 8.03368, 0.19, 36);
-  problem.load = DiscLoad{10};
+  Problem problem = paper_sheet();
+  problem.load = DiscLoad{paper::tip_A};
   problem.levels = {20};
   ledger.begin("disc of 10 A, 20 A deep");
   const Step step = solved_last(problem);
@@ -80,8 +83,8 @@ void balance(Ledger& ledger) {
 
 /// r_(k+1) ~ r_k²: from the last three residuals above rounding, with a new tangent at each step.
 void newton(Ledger& ledger) {
-  Problem problem = round_sheet(110, 8.03368, 0.19, 36);
-  problem.load = DiscLoad{10};
+  Problem problem = paper_sheet();
+  problem.load = DiscLoad{paper::tip_A};
   problem.levels = {20};
   problem.discretisation = Triangles{.relative_residual = 1e-12, .keep_factor = false};
   std::vector<double> r = solved_last(problem).on_triangles().residual_history;

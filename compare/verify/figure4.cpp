@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "compare/base/paper.hpp"
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 #include "compare/verify/square.hpp"
@@ -28,27 +29,26 @@ SmallerStress smaller_cauchy_force(const Problem& problem, const Step& step) {
 
 namespace {
 
-constexpr double thickness_A = 1.37;
-
 void square(Ledger& ledger, const char* name, Extent extent, const Reference& depth, double depth_range,
             const Reference& stress, double stress_range) {
   Problem problem;
-  RectangleSheet sheet = paper_square(220);
+  RectangleSheet sheet = paper_square(paper::side_A);
   sheet.extent = extent;
   problem.sheet = sheet;
-  problem.law = StVenantKirchhoff{5.864 * thickness_A, 0.19};
+  problem.law = StVenantKirchhoff{paper::Eh_eV_per_A2, paper::nu};
   problem.load = PressureLoad{};
   problem.control = Control::force;
-  problem.levels = {5.16529e-4};
+  problem.levels = {paper::pressure_eV_per_A3};
   ledger.begin(name);
   const Step step = solved_last(problem);
   ledger.equal("centre depth, A", step.depth_A, depth, depth_range / depth.value,
                "the interpenetrating state has 56.45-56.48");
   const SmallerStress at = smaller_cauchy_force(problem, step);
-  ledger.equal("upper end of the smaller stress, eV/A^3", at.largest / thickness_A, stress, stress_range / stress.value,
-               "thickness from plane stress, natural width where wrinkled");
-  ledger.equal("least stress, eV/A^3", std::min(0.0, at.least) / thickness_A, closed_form(0, "no compression"), 1e-12);
-  ledger.at_most("penetration of symmetry planes / side", step.penetration_A / 220,
+  ledger.equal("upper end of the smaller stress, eV/A^3", at.largest / paper::thickness_A, stress,
+               stress_range / stress.value, "thickness from plane stress, natural width where wrinkled");
+  ledger.equal("least stress, eV/A^3", std::min(0.0, at.least) / paper::thickness_A, closed_form(0, "no compression"),
+               1e-12);
+  ledger.at_most("penetration of symmetry planes / side", step.penetration_A / paper::side_A,
                  closed_form(1e-6, "bound set for contact"));
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "compare/base/paper.hpp"
 #include "membrane/laws/prestress.hpp"
 #include "membrane/laws/st_venant_kirchhoff.hpp"
 #include "membrane/laws/tension_field.hpp"
@@ -12,8 +13,8 @@ namespace {
 
 using namespace membrane;
 
-constexpr double E = 5.864;
-constexpr double nu = 0.19;
+using paper::nu;
+constexpr double E = paper::E_eV_per_A3;
 const StVenantKirchhoff law{E, nu};
 
 double green(double stretch) { return 0.5 * (stretch * stretch - 1); }

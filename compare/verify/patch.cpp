@@ -7,6 +7,7 @@
 #include <memory>
 #include <random>
 
+#include "compare/base/paper.hpp"
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 #include "compare/verify/taylor.hpp"
@@ -25,8 +26,8 @@ namespace {
 using namespace membrane;
 using Gradient = Eigen::Matrix<double, 3, 2>;
 
-constexpr double Eh = 8.03368;
-constexpr double nu = 0.19;
+using paper::nu;
+constexpr double Eh = paper::Eh_eV_per_A2;
 const StVenantKirchhoff law{Eh, nu};
 const Voigt prestress(0.1, 0.04, -0.03);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/base/paper.hpp"
 #include "compare/verify/groups.hpp"
 #include "compare/verify/solved.hpp"
 
@@ -13,13 +14,13 @@ namespace {
 using namespace membrane;
 using std::numbers::pi;
 
-constexpr double N_per_m = 1 / 16.02176634;  // eV/Å²
-constexpr double nN = 1 / 1.602176634;       // eV/Å
+namespace sheet = paper::suspended;
+constexpr double nN = 1 / nN_per_eV_per_A;  // eV/Å
 
-/// The sheet of the paper's first case: a = 500 nm, E·h = 342 N/m, nu = 0.165, N0 = 0.34 N/m.
+/// The sheet of the paper's first case.
 Problem case1(double tip_A, int rings) {
-  Problem problem = round_sheet(5000, 342 * N_per_m, 0.165, rings);
-  problem.prestress_eV_per_A2 = isotropic(0.34 * N_per_m);
+  Problem problem = round_sheet(sheet::radius_A, sheet::Eh_eV_per_A2, sheet::nu, rings);
+  problem.prestress_eV_per_A2 = isotropic(sheet::pretension_eV_per_A2);
   problem.load = SphereLoad{tip_A};
   return problem;
 }

@@ -16,6 +16,7 @@ import subprocess
 import sys
 
 COPIED = ("membrane", "compare/verify")  # what a fault may touch, and what includes it on the way to a verdict
+HEADERS = ("compare/base/paper.hpp", "compare/base/units.hpp")  # what these include of other rooms
 
 
 def head_of(patch):
@@ -27,6 +28,9 @@ def fresh_copy(source, tree):
     shutil.rmtree(tree, ignore_errors=True)
     for folder in COPIED:
         shutil.copytree(source / folder, tree / folder)
+    for header in HEADERS:
+        (tree / header).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(source / header, tree / header)
 
 
 def apply(patch, tree):
