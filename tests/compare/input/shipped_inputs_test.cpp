@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "compare/base/paper.hpp"
 #include "compare/input/case_file.hpp"
 #include "compare/input/potential_file.hpp"
 
@@ -42,6 +43,21 @@ TEST(ShippedInputs, IndentationHoldsTheDefaults) {
   EXPECT_EQ(c.judged_load, defaults.judged_load);
   EXPECT_EQ(c.window, defaults.window);
   EXPECT_EQ(c.tolerance, defaults.tolerance);
+  EXPECT_TRUE(check(c, origins).empty());
+}
+
+TEST(ShippedInputs, Figure4IsThePapers) {
+  Case c = bulge_defaults();
+  c.pressures_eV_per_A3.clear();
+  Origins origins = read_case(inputs / "figure4.toml", c);
+  settle_size(c, origins);
+  EXPECT_EQ(2 * c.radius_A, paper::side_A);
+  EXPECT_EQ(c.pressures_eV_per_A3, std::vector{paper::pressure_eV_per_A3});
+  EXPECT_EQ(c.E_eV_per_A3, paper::E_eV_per_A3);
+  EXPECT_EQ(c.thickness_A, paper::thickness_A);
+  EXPECT_EQ(c.nu, paper::nu);
+  EXPECT_EQ(c.law.name, "svk");
+  EXPECT_EQ(c.pressures_eV_per_A3, bulge_defaults().pressures_eV_per_A3);
   EXPECT_TRUE(check(c, origins).empty());
 }
 
