@@ -1,6 +1,8 @@
 #include "compare/documents/plots/draw.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <list>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
@@ -11,7 +13,6 @@
 #include "compare/documents/plots/plot_csv.hpp"
 
 namespace validate {
-
 namespace {
 
 // A picture without text or curves compresses to less.
@@ -19,23 +20,33 @@ constexpr std::uintmax_t smallest_png_bytes = 20000;
 
 }  // namespace
 
-std::optional<std::string> draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name) {
+std::optional<std::string> draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name,
+                                const std::vector<PictureFormat>& formats) {
   if (plot.panels.empty()) return std::nullopt;
-  PendingFile svg(folder / (name + ".svg")), png(folder / (name + ".png")), script(folder / (name + ".gnuplot"));
-  script.write(gnuplot_script(plot, svg.path(), png.path()));
+  std::list<PendingFile> files;
+  std::vector<Picture> pictures;
+  std::string names;
+  for (const PictureFormat format : formats) {
+    const std::string file = name + (format == PictureFormat::png ? ".png" : ".svg");
+    names += (names.empty() ? "" : " and ") + file;
+    pictures.push_back({format, files.emplace_back(folder / file).path()});
+  }
+  PendingFile script(folder / (name + ".gnuplot"));
+  script.write(gnuplot_script(plot, pictures));
   const std::optional<GnuplotReport> report = run_gnuplot(script.path());
-  if (!report) return fmt::format("gnuplot is not installed: no {0}.svg and {0}.png", name);
-  if (!report->succeeded) {
-    throw Error(ExitCode::file_failed,
-                fmt::format("gnuplot could not draw {0}.svg and {0}.png: {1}", name, report->messages));
+  if (!report) return "gnuplot is not installed: no " + names;
+  const auto fail = [&](const std::string& what) {
+    throw Error(ExitCode::file_failed, fmt::format("gnuplot {}: {}", what, report->messages));
+  };
+  if (!report->succeeded) fail("could not draw " + names);
+  auto file = files.begin();
+  for (const Picture& picture : pictures) {
+    if (picture.format == PictureFormat::png && std::filesystem::file_size(picture.file) < smallest_png_bytes)
+      fail("drew a " + name + ".png without text or curves");
+    if (picture.format == PictureFormat::svg) file->write(compact_svg(read_file(picture.file)));
+    ++file;
   }
-  if (std::filesystem::file_size(png.path()) < smallest_png_bytes) {
-    throw Error(ExitCode::file_failed,
-                fmt::format("gnuplot drew a {}.png without text or curves: {}", name, report->messages));
-  }
-  svg.write(compact_svg(read_file(svg.path())));
-  svg.commit();
-  png.commit();
+  for (PendingFile& drawn : files) drawn.commit();
   if (report->messages.empty()) return std::nullopt;
   return "gnuplot: " + report->messages;
 }

@@ -211,7 +211,7 @@ std::string splot(const Plot& plot, std::size_t p) {
       clauses.push_back(fmt::format("{} using 1:2:(0){} with {} notitle", curve_block(p, c),
                                     panel.curves[c].value.empty() ? "" : ":3", style(panel.curves[c])));
   return map_place(plot, p) +
-         "set pm3d map corners2color c1 @map_border\nunset key\nset border 31 lw 0.5\nset xlabel offset 0,0.4\nset "
+         "set pm3d map corners2color c1 scansbackward @map_border\nunset key\nset border 31 lw 0.5\nset xlabel offset 0,0.4\nset "
          "ylabel offset "
          "1,0\n" +
          colour_commands(panel) + fmt::format("splot {}\n", fmt::join(clauses, ", \\\n     "));
@@ -269,17 +269,21 @@ std::string commands(const Plot& plot) {
 
 }  // namespace
 
-std::string gnuplot_script(const Plot& plot, const std::filesystem::path& svg, const std::filesystem::path& png) {
-  // Pixels between neighbouring triangles stay pale unless each is drawn a little larger; in an SVG that is a stroke
-  // each.
-  return fmt::format(
-      "set encoding utf8\n{0}"
-      "set terminal svg size {1},{2} font 'DejaVu Sans,12' noenhanced background rgb 'white'\n"
-      "map_border = 'noborder'\nset output {3}\n{6}unset output\n"
-      "set terminal pngcairo size {4},{5} font 'DejaVu Sans,12' fontscale 2 linewidth 2 pointscale 2 noenhanced\n"
-      "map_border = 'border retrace'\nset output {7}\n{6}unset output\n",
-      gnuplot_data(plot), plot.width, plot.height, gnuplot_quoted(svg.string()), 2 * plot.width, 2 * plot.height,
-      commands(plot), gnuplot_quoted(png.string()));
+std::string gnuplot_script(const Plot& plot, const std::vector<Picture>& pictures) {
+  std::string text = "set encoding utf8\n" + gnuplot_data(plot);
+  for (const Picture& picture : pictures) {
+    const bool png = picture.format == PictureFormat::png;
+    const int scale = png ? 2 : 1;
+    // Pixels between neighbouring triangles stay pale unless each is drawn a little larger; in an SVG that is a stroke
+    // each.
+    text += fmt::format(
+        "set terminal {} size {},{} font 'DejaVu Sans,12' noenhanced {}\nmap_border = '{}'\nset output {}\n{}"
+        "unset output\n",
+        png ? "pngcairo" : "svg", scale * plot.width, scale * plot.height,
+        png ? "fontscale 2 linewidth 2 pointscale 2" : "background rgb 'white'", png ? "border retrace" : "noborder",
+        gnuplot_quoted(picture.file.string()), commands(plot));
+  }
+  return text;
 }
 
 }  // namespace validate

@@ -3,13 +3,21 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "compare/documents/plots/plot.hpp"
 
 namespace validate {
 
-/// The whole script: the data once, then the same commands for an SVG and for a PNG of twice as many pixels. The same
-/// plot and paths give the same text.
-std::string gnuplot_script(const Plot& plot, const std::filesystem::path& svg, const std::filesystem::path& png);
+enum class PictureFormat { svg, png };
+
+struct Picture {
+  PictureFormat format;
+  std::filesystem::path file;
+};
+
+/// The whole script: the data once, then the same commands for each picture; a PNG has twice as many pixels as an SVG
+/// has units. The same plot and pictures give the same text.
+std::string gnuplot_script(const Plot& plot, const std::vector<Picture>& pictures);
 
 }  // namespace validate

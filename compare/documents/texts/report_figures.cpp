@@ -150,7 +150,7 @@ std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::
   for (Drawing& drawing : drawings(result, run_folder)) {
     if (drawing.plot.panels.empty()) continue;
     const std::string name = fmt::format("figure{}", figures.size());
-    draw(drawing.plot, scratch.path(), name);
+    draw(drawing.plot, scratch.path(), name, {drawing.figure.png ? PictureFormat::png : PictureFormat::svg});
     const auto file = scratch.path() / (name + (drawing.figure.png ? ".png" : ".svg"));
     if (!std::filesystem::exists(file)) continue;
     drawing.figure.content = read_file(file);

@@ -156,6 +156,15 @@ TEST(Draw, NothingToDrawMakesNoFiles) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
+TEST(Draw, MakesTheOnePictureAskedFor) {
+  const TemporaryFolder folder;
+  for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png})
+    draw(force_depth_plot(sample::membrane_only()), folder.path(), format == PictureFormat::svg ? "a" : "b", {format});
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "b.png"));
+  EXPECT_EQ(folder.entries(), 2u);
+}
+
 TEST(Draw, TheDataMayHaveANameOfTheirOwn) {
   const TemporaryFolder folder;
   write_plot(force_depth_plot(sample::membrane_only()), folder.path(), "atoms", "atoms-figure");

@@ -11,7 +11,9 @@ using namespace validate;
 
 namespace {
 
-std::string script(const Plot& plot) { return gnuplot_script(plot, "/run/it's.svg", "/run/a.png"); }
+std::string script(const Plot& plot) {
+  return gnuplot_script(plot, {{PictureFormat::svg, "/run/it's.svg"}, {PictureFormat::png, "/run/a.png"}});
+}
 
 Panel panel() {
   return {.title = "κ's panel",
@@ -96,10 +98,26 @@ TEST(GnuplotWriter, BarsAreStackedBySign) {
 TEST(GnuplotWriter, AQuarterIsDrawnWithItsMirrorImages) {
   Panel one = panel();
   one.maps = {{.name = "m", .key = "m_A", .corners = {{{{0, 0}, {2, 0}, {2, 1}}}}, .value = {7}}};
-  EXPECT_EQ(gnuplot_data({.panels = {one}}), "$p0m0 << EOD\n0 0 7\n2 0 7\n\n2 1 7\n2 1 7\n\n\nEOD\n");
+  EXPECT_EQ(gnuplot_data({.panels = {one}}),
+            "$p0m0 << EOD\n0 0 7\n2 0 7\nNaN NaN NaN\n\n2 1 7\n2 1 7\nNaN NaN NaN\nEOD\n");
   one.maps[0].quarter = true;
   const std::string data = gnuplot_data({.panels = {one}});
   for (const char* corner : {"2 1 7", "-2 1 7", "2 -1 7", "-2 -1 7"}) expect(data, {corner});
+}
+
+TEST(GnuplotWriter, NeighboursOfOneColourAreDrawnAtOnce) {
+  Panel one = panel();
+  one.maps = {{.name = "m",
+               .key = "m_A",
+               .corners = {{{{0, 0}, {2, 0}, {2, 1}}}, {{{2, 1}, {0, 0}, {0, 1}}}, {{{5, 0}, {7, 0}, {7, 1}}}},
+               .value = {7, 7, 8}}};
+  const std::string gap = "NaN NaN NaN\n";
+  EXPECT_EQ(gnuplot_data({.panels = {one}}), "$p0m0 << EOD\n2 0 7\n2 1 7\n" + gap + "5 0 8\n7 0 8\n" + gap +
+                                                 "\n0 0 7\n0 1 7\n" + gap + "7 1 8\n7 1 8\n" + gap + "EOD\n");
+  one.maps[0].value = {7, 7.01, 8};  // more than half a colour apart
+  EXPECT_NE(gnuplot_data({.panels = {one}}).find("2 1 7.01\n0 0 7.01\n"), std::string::npos);
+  one.maps[0].value = {7, 7, 7};  // of one colour, but the last is apart
+  EXPECT_NE(gnuplot_data({.panels = {one}}).find("5 0 7\n7 0 7\n"), std::string::npos);
 }
 
 TEST(GnuplotWriter, MapsHaveAColourBar) {
