@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ int schema(const std::string& name) {
   for (const NamedSchema& one : named_schemas) {
     names.push_back(one.name);
     if (one.name != name) continue;
-    fmt::print("{}\n", schema_of(one.command).dump(1));
+    fmt::print("{}", schema_text(one.command));
     return 0;
   }
   throw bad_input("schema: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "), did_you_mean(name, names));

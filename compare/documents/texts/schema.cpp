@@ -7,6 +7,7 @@
 
 #include "compare/base/keys.hpp"
 #include "compare/base/walk.hpp"
+#include "compare/documents/texts/schema_form.hpp"
 
 namespace validate {
 namespace {
@@ -180,6 +181,7 @@ Json schema_of(Command command) {
   schema.update(object_schema(prototype));
   schema["properties"]["schema"] = {{"const", document_schema}};
   schema["properties"]["command"]["enum"] = names_of(command);
+  share_repeated_objects(schema);
   return schema;
 }
 

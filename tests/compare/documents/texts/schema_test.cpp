@@ -20,7 +20,7 @@ class Schema : public testing::TestWithParam<NamedSchema> {};
 
 TEST_P(Schema, InInputsIsTheGeneratedOne) {
   const std::string name(GetParam().name), file = std::string(VALIDATE_SOURCE_INPUTS) + "/" + name + ".schema.json";
-  EXPECT_TRUE(read_file(file) == schema_of(GetParam().command).dump(1) + "\n")
+  EXPECT_TRUE(read_file(file) == schema_text(GetParam().command))
       << "make it anew: validate schema " << name << " > inputs/" << name << ".schema.json";
 }
 
@@ -53,6 +53,18 @@ TEST(Schemas, ABulgesDocumentIsAnExperiments) {
   EXPECT_EQ(problems(sample::complete(Command::bulge)), "");
   const support::JsonSchema summary(json::parse(schema_of(Command::indentation).dump()));
   EXPECT_TRUE(summary.problems(json::parse(json_text(sample::complete(Command::bulge)))).empty());
+}
+
+TEST(Schemas, WhatOccursMoreThanOnceIsCheckedWhereverItDoes) {
+  const json whole = json::parse(json_text(sample::complete(Command::indentation)));
+  const json schema = json::parse(schema_of(Command::indentation).dump());
+  ASSERT_TRUE(schema["definitions"].contains("fits"));
+  for (std::size_t run = 0; run < whole["runs"].size(); ++run) {
+    json wrong = whole;
+    ASSERT_FALSE(wrong["runs"][run]["fits"].empty()) << run;
+    wrong["runs"][run]["fits"][0]["extra"] = 1;
+    EXPECT_FALSE(support::JsonSchema(schema).problems(wrong).empty()) << run;
+  }
 }
 
 TEST(Schemas, EveryCommandHasOne) {
