@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "compare/base/paper.hpp"
+#include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/figures/paper_figure.hpp"
-#include "compare/figures/stress_field.hpp"
+#include "compare/figures/square.hpp"
 #include "compare/fitting/curve.hpp"
 
 namespace validate {
@@ -31,66 +33,44 @@ membrane::Problem problem_of(const membrane::Load& load, std::vector<double> for
   return problem;
 }
 
-double rim_mean(const membrane::Mesh& mesh, const std::vector<TriangleStress>& field) {
-  double sum = 0;
-  for (const int t : mesh.rim_triangles) sum += field[static_cast<std::size_t>(t)].larger_eV_per_A3;
-  return sum / static_cast<double>(mesh.rim_triangles.size());
-}
+const std::vector<double>& stress(const SheetPicture& sheet) { return column(sheet.triangles, "cauchy_1_eV_per_A3"); }
 
-/// Fields at each force.
-std::vector<std::vector<TriangleStress>> fields(const membrane::Problem& problem) {
-  const membrane::Mesh mesh = membrane::mesh_of(problem);
-  std::vector<std::vector<TriangleStress>> all;
-  const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
-    if (step.converged)
-      all.push_back(stress_field(problem, mesh, paper::thickness_A, step.on_triangles().displacements));
-    return step.converged;
-  });
-  if (!report.converged) throw std::runtime_error("figure 3: " + report.reason);
-  return all;
+double rim_mean(const SheetPicture& sheet) {
+  double sum = 0;
+  for (const int t : sheet.mesh.rim_triangles) sum += stress(sheet)[static_cast<std::size_t>(t)];
+  return sum / static_cast<double>(sheet.mesh.rim_triangles.size());
 }
 
 /// The force at which the rim's mean is the paper's reading.
 double force_for_the_rim(const membrane::Load& load) {
   const std::vector<double> forces = {1, 2, 4, 7, 11, 16, 22, 29, 37};
-  const membrane::Problem problem = problem_of(load, forces);
-  const membrane::Mesh mesh = membrane::mesh_of(problem);
   std::vector<double> rim;
-  for (const auto& field : fields(problem)) rim.push_back(rim_mean(mesh, field));
+  for (const SheetPicture& sheet : solved_levels(problem_of(load, forces), paper::thickness_A, "figure 3"))
+    rim.push_back(rim_mean(sheet));
   const auto force = Curve(rim, forces).at(rim_stress);
   if (!force) throw std::runtime_error("figure 3: the rim does not reach its stress");
   return *force;
-}
-
-double largest(const std::vector<TriangleStress>& field) {
-  return std::ranges::max_element(field, {}, &TriangleStress::larger_eV_per_A3)->larger_eV_per_A3;
-}
-
-TriangleMap map_of(const std::string& name, const std::vector<TriangleStress>& field) {
-  TriangleMap map{.name = name, .key = "larger_principal_stress_eV_per_A3", .corners = {}, .value = {}};
-  for (const TriangleStress& t : field) {
-    map.corners.push_back(t.corners_A);
-    map.value.push_back(t.larger_eV_per_A3);
-  }
-  return map;
 }
 
 void add(PaperFigure& figure, const char* name, const membrane::Load& load, const FigureContext& context) {
   context.progress.say(fmt::format("figure 3: {}", name));
   const double force = force_for_the_rim(load);
   const membrane::Problem problem = problem_of(load, {force / 8, force / 3, force});
-  const std::vector<TriangleStress> field = fields(problem).back();
+  const SheetPicture sheet = solved_levels(problem, paper::thickness_A, "figure 3").back();
+  TriangleMap map = triangle_map(sheet, name, "cauchy_1_eV_per_A3", SeenOver::flat);
+  map.key = "larger_principal_stress_eV_per_A3";
+  map.quarter = false;  // as the paper shows it
   Panel panel{.title = fmt::format("{}, F = {:.2f} eV/Å", name, force),
               .x = {.label = "x", .unit = "Å", .key = "x_A", .low = 0, .high = 112},
               .y = {.label = "y", .unit = "Å", .key = "y_A", .low = 0, .high = 112},
               .equal_axes = true,
-              .maps = {map_of(name, field)},
+              .maps = {std::move(map)},
               .scale = {.label = "eV/Å³", .low = rim_stress, .high = tip_stress}};
   figure.panels.push_back(std::move(panel));
-  const double tip = largest(field);
+  const double tip = std::ranges::max(stress(sheet));
   const bool reproduces = std::abs(tip / tip_stress - 1) < 0.2;
   figure.numbers.push_back({fmt::format("{}: stress at the rim", name), "eV/Å³", "Gil et al. 2010, Figure 3",
-                            rim_stress, rim_mean(membrane::mesh_of(problem), field), 0.01, "the load is chosen so"});
+                            rim_stress, rim_mean(sheet), 0.01, "the load is chosen so"});
   figure.numbers.push_back({fmt::format("{}: largest stress", name), "eV/Å³", "Gil et al. 2010, Figure 3", tip_stress,
                             tip, 0,
                             fmt::format("the {} {} the published range 0.125 … 0.65 eV/Å³", name,

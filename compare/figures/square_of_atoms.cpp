@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <ranges>
 
 #include "compare/base/paper.hpp"
 #include "compare/base/paths.hpp"
@@ -32,14 +33,14 @@ Case square_case(const std::string& potential) {
   return c;
 }
 
-/// The membrane's smaller force and state at the middle of each cell: by the triangle whose centroid is nearest.
-const TriangleStress& nearest(const Square& membrane, const Eigen::Vector2d& place) {
-  return *std::ranges::min_element(membrane.field, {}, [&](const TriangleStress& t) {
-    return ((t.corners_A[0] + t.corners_A[1] + t.corners_A[2]) / 3 - place).squaredNorm();
-  });
+/// The membrane's state at a place, 0 where it is taut: that of the triangle whose middle is nearest.
+double state_at(const SheetPicture& membrane, const Eigen::Vector2d& place) {
+  const auto distance = [&](std::size_t t) { return (middle_of(membrane, t, SeenOver::flat) - place).squaredNorm(); };
+  const std::vector<double>& state = column(membrane.triangles, "state");
+  return state[*std::ranges::min_element(std::views::iota(std::size_t{0}, state.size()), {}, distance)];
 }
 
-Panel virial_panel(const std::string& title, const std::vector<VirialCell>& field, const Square& membrane) {
+Panel virial_panel(const std::string& title, const std::vector<VirialCell>& field, const SheetPicture& membrane) {
   Panel panel = square_panel(title, "eV/Å²");
   TriangleMap map{.name = title, .key = "smaller_principal_force_eV_per_A2", .corners = {}, .value = {}};
   for (const VirialCell& cell : field)
@@ -53,7 +54,7 @@ Panel virial_panel(const std::string& title, const std::vector<VirialCell>& fiel
 }
 
 /// Where the four sides are in their plane: folds show as notches.
-Panel edges_panel(const std::string& name, const PairedSquare& pair, const Found& found, const Square& membrane) {
+Panel edges_panel(const std::string& name, const PairedSquare& pair, const Found& found, const SheetPicture& membrane) {
   Panel panel = seen_from_above("sides, seen from above", 120);
   panel.legend = Legend::centre;
   PlotCurve atoms{.name = name + ", atoms", .x = {}, .y = {}, .colour = colour_of_atoms};
@@ -67,8 +68,9 @@ Panel edges_panel(const std::string& name, const PairedSquare& pair, const Found
   continuum.points = Points{.size = 0.35, .open = true};
   for (const auto& [edge, nodes] : membrane.mesh.edges)
     for (const int n : nodes) {
-      continuum.x.push_back(membrane.mesh.nodes[static_cast<std::size_t>(n)].x() + membrane.displacements_A[3 * n]);
-      continuum.y.push_back(membrane.mesh.nodes[static_cast<std::size_t>(n)].y() + membrane.displacements_A[3 * n + 1]);
+      const Eigen::Vector2d place = place_of(membrane, n, SeenOver::deformed);
+      continuum.x.push_back(place.x());
+      continuum.y.push_back(place.y());
     }
   panel.curves = {continuum, atoms};
   return panel;
@@ -179,12 +181,12 @@ struct Zones {
   double least_eV_per_A2 = 0;
 };
 
-Zones zones_of(const std::vector<VirialCell>& field, const Square& membrane) {
+Zones zones_of(const std::vector<VirialCell>& field, const SheetPicture& membrane) {
   Zones zones;
   double largest = 0, inside = 0, outside = 0;
   for (const VirialCell& cell : field) largest = std::max(largest, cell.smaller_eV_per_A2);
   for (const VirialCell& cell : field) {
-    const bool by_membrane = nearest(membrane, cell.middle_A).state != membrane::SheetState::taut;
+    const bool by_membrane = state_at(membrane, cell.middle_A) != 0;
     const bool by_atoms = cell.smaller_eV_per_A2 < 0.01 * largest;
     zones.wrinkled_share += by_atoms;
     zones.same_share += by_atoms == by_membrane;
@@ -201,23 +203,24 @@ Zones zones_of(const std::vector<VirialCell>& field, const Square& membrane) {
 }
 
 void add_numbers(PaperFigure& figure, const std::string& name, const PairedSquare& pair, const Found& found,
-                 const Square& membrane, const std::vector<VirialCell>& field) {
+                 const SheetPicture& membrane, const std::vector<VirialCell>& field) {
   const std::string source = "membrane with the card's constants";
   const Zones zones = zones_of(field, membrane);
   const auto add = [&](const std::string& what, const char* unit, double reference, double ours) {
     figure.numbers.push_back({name + " atoms: " + what, unit, source, reference, ours, 0, ""});
   };
-  add("centre depth", "Å", membrane.centre_depth_A, found.step.depth_A);
-  add("volume", "Å³", membrane.volume_A3,
+  add("centre depth", "Å", total(membrane.totals, "depth_A"), found.step.depth_A);
+  add("volume", "Å³", total(membrane.totals, "volume_A3"),
       found.step.force_eV_per_A / pressure_eV_per_A3 * found.step.conjugate_depth_A);
-  add("energy minus pressure times volume", "eV", membrane.energy_eV - pressure_eV_per_A3 * membrane.volume_A3,
+  add("energy minus pressure times volume", "eV",
+      total(membrane.totals, "energy_eV") - pressure_eV_per_A3 * total(membrane.totals, "volume_A3"),
       found.potential_eV);
-  add("mid-side pull-in", "Å", membrane.pull_in_A, pull_in(pair, found.step.positions));
-  add("wrinkled share", "1", membrane.wrinkled_share, zones.wrinkled_share);
+  add("mid-side pull-in", "Å", largest_pull_in_A(membrane), pull_in(pair, found.step.positions));
+  add("wrinkled share", "1", total(membrane.totals, "wrinkled_area_fraction"), zones.wrinkled_share);
 }
 
 void add_remarks(PaperFigure& figure, const std::string& name, const PairedSquare& pair, const std::vector<Found>& all,
-                 const Square& membrane, const std::vector<VirialCell>& field) {
+                 const SheetPicture& membrane, const std::vector<VirialCell>& field) {
   const Zones zones = zones_of(field, membrane);
   const Undulation waves = mean_undulation(pair, all.front().step.positions);
   auto& remarks = figure.remarks;
@@ -251,13 +254,13 @@ void add_square_of_atoms(PaperFigure& figure, const FigureContext& context) {
   const PotentialCard card = potential_card(file, launch, card_cache(), false);
   const PairedSquare pair = paired_square(square_case(potential), file, card);
   context.progress.say(fmt::format("figure 4: {} atoms, {} starts", pair.sheet.atoms(), context.starts));
-  const Square membrane = solve_square(pair.membrane, 1);  // over a thickness of 1 Å stresses are membrane forces
+  // Over a thickness of 1 Å stresses are membrane forces.
+  const SheetPicture membrane = solved_levels(pair.membrane, 1, "figure 4").back();
   const std::vector<Found> all = search_states(pair, pressure_eV_per_A3, launch, context);
   const std::vector<VirialCell> field = virial_field(pair.sheet, all.front().step, cells);
-  const double most = std::ranges::max(membrane.field, {}, &TriangleStress::smaller_eV_per_A3).smaller_eV_per_A3;
+  const double most = std::ranges::max(column(membrane.triangles, "cauchy_2_eV_per_A3"));
   figure.panels.push_back(square_panel(fmt::format("membrane, {}'s E·h and ν: smaller principal force", name), "eV/Å²",
-                                       "smaller_principal_force_eV_per_A2", membrane,
-                                       [](const TriangleStress& t) { return t.smaller_eV_per_A3; }));
+                                       membrane, "cauchy_2_eV_per_A3", "smaller_principal_force_eV_per_A2"));
   figure.panels.push_back(
       virial_panel(fmt::format("{}'s atoms: smaller principal force, by virials", name), field, membrane));
   for (Panel* panel : {&figure.panels.back(), &figure.panels.back() - 1})

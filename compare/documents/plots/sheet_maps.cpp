@@ -16,41 +16,6 @@ double half_side(const SheetPicture& picture) {
   return size;
 }
 
-Eigen::Vector2d deformed(const SheetPicture& picture, int node) {
-  return picture.mesh.nodes[static_cast<std::size_t>(node)] +
-         Eigen::Vector2d(picture.displacement[static_cast<std::size_t>(3 * node)],
-                         picture.displacement[static_cast<std::size_t>(3 * node + 1)]);
-}
-
-/// Strokes along the tension of wrinkled triangles, thinned out to about fourteen a direction.
-PlotCurve rays(const SheetPicture& picture) {
-  constexpr int across = 14;
-  const auto& state = column(picture.triangles, "state");
-  const auto& direction = column(picture.triangles, "direction");
-  const double spacing = half_side(picture) / across;
-  PlotCurve curve{.name = "tension rays", .x = {}, .y = {}, .line = Line{.width = 0.6}, .strokes = true};
-  std::set<std::pair<int, int>> taken;
-  for (std::size_t t = 0; t < state.size(); ++t) {
-    if (state[t] != 1) continue;
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero(), flat = Eigen::Vector2d::Zero();
-    for (const int node : picture.mesh.triangles[t].nodes) {
-      centre += deformed(picture, node) / 3;
-      flat += picture.mesh.nodes[static_cast<std::size_t>(node)] / 3;
-    }
-    if (!taken.insert({int(std::floor(flat.x() / spacing)), int(std::floor(flat.y() / spacing))}).second) continue;
-    const Eigen::Vector2d half = 0.4 * spacing * Eigen::Vector2d(direction[3 * t], direction[3 * t + 1]);
-    for (const int sx : {1, -1})
-      for (const int sy : {1, -1}) {
-        if (!is_quarter(picture) && (sx < 0 || sy < 0)) continue;
-        for (const Eigen::Vector2d& end : {Eigen::Vector2d(centre - half), Eigen::Vector2d(centre + half)}) {
-          curve.x.push_back(sx * end.x());
-          curve.y.push_back(sy * end.y());
-        }
-      }
-  }
-  return curve;
-}
-
 Panel stress_panel(const SheetPicture& picture, const std::string& title, const std::string& key) {
   Panel panel = seen_from_above(title, half_side(picture));
   panel.maps = {triangle_map(picture, title, key)};
@@ -63,20 +28,56 @@ Panel state_panel(const SheetPicture& picture) {
   Panel panel = seen_from_above("states and tension rays", half_side(picture));
   panel.maps = {triangle_map(picture, "state", "state")};
   panel.scale = scale_of_states();
-  panel.curves = {rays(picture)};
+  panel.curves = {tension_rays(picture, SeenOver::deformed)};
   return panel;
 }
 
 }  // namespace
 
-TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key) {
+Eigen::Vector2d place_of(const SheetPicture& picture, int node, SeenOver over) {
+  const auto n = static_cast<std::size_t>(node);
+  if (over == SeenOver::flat) return picture.mesh.nodes[n];
+  return picture.mesh.nodes[n] + Eigen::Vector2d(picture.displacement[3 * n], picture.displacement[3 * n + 1]);
+}
+
+Eigen::Vector2d middle_of(const SheetPicture& picture, std::size_t triangle, SeenOver over) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const int node : picture.mesh.triangles[triangle].nodes) middle += place_of(picture, node, over) / 3;
+  return middle;
+}
+
+TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key, SeenOver over) {
   TriangleMap map{.name = name, .key = key, .corners = {}, .value = column(picture.triangles, key)};
   map.quarter = is_quarter(picture);
   for (const auto& triangle : picture.mesh.triangles) {
-    const auto& n = triangle.nodes;
-    map.corners.push_back({deformed(picture, n[0]), deformed(picture, n[1]), deformed(picture, n[2])});
+    const auto corner = [&](int a) { return place_of(picture, triangle.nodes[a], over); };
+    map.corners.push_back({corner(0), corner(1), corner(2)});
   }
   return map;
+}
+
+PlotCurve tension_rays(const SheetPicture& picture, SeenOver over) {
+  constexpr int across = 14;
+  const auto& state = column(picture.triangles, "state");
+  const auto& direction = column(picture.triangles, "direction");
+  const double spacing = half_side(picture) / across;
+  PlotCurve curve{.name = "tension rays", .x = {}, .y = {}, .line = Line{.width = 0.6}, .strokes = true};
+  std::set<std::pair<int, int>> taken;
+  for (std::size_t t = 0; t < state.size(); ++t) {
+    if (state[t] != 1) continue;
+    const Eigen::Vector2d flat = middle_of(picture, t, SeenOver::flat), centre = middle_of(picture, t, over);
+    if (!taken.insert({int(std::floor(flat.x() / spacing)), int(std::floor(flat.y() / spacing))}).second) continue;
+    const Eigen::Vector2d half = 0.4 * spacing * Eigen::Vector2d(direction[3 * t], direction[3 * t + 1]);
+    for (const int sx : {1, -1})
+      for (const int sy : {1, -1}) {
+        if (!is_quarter(picture) && (sx < 0 || sy < 0)) continue;
+        for (const Eigen::Vector2d& end : {Eigen::Vector2d(centre - half), Eigen::Vector2d(centre + half)}) {
+          curve.x.push_back(sx * end.x());
+          curve.y.push_back(sy * end.y());
+        }
+      }
+  }
+  return curve;
 }
 
 Panel seen_from_above(const std::string& title, double half_side_A) {

@@ -10,8 +10,18 @@ namespace validate {
 /// in wrinkled triangles. A quarter is drawn with its mirror images.
 Plot sheet_plot(const SheetPicture& picture);
 
-/// A column of the triangles as a map over the deformed sheet.
-TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key);
+enum class SeenOver { deformed, flat };
+
+/// A column of the triangles as a map over the deformed or the flat sheet.
+TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key,
+                         SeenOver over = SeenOver::deformed);
+
+/// Strokes along the tension of wrinkled triangles, thinned out to about fourteen a direction of a quarter.
+PlotCurve tension_rays(const SheetPicture& picture, SeenOver over);
+
+/// Where a node is, and a triangle's middle.
+Eigen::Vector2d place_of(const SheetPicture& picture, int node, SeenOver over);
+Eigen::Vector2d middle_of(const SheetPicture& picture, std::size_t triangle, SeenOver over);
 
 /// Axes x and y of a square about the origin, and how colours say states (0 taut, 1 wrinkled, 2 slack).
 Panel seen_from_above(const std::string& title, double half_side_A);
