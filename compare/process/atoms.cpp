@@ -1,6 +1,5 @@
 #include "compare/process/atoms.hpp"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,13 +7,12 @@
 #include <cstring>
 #include <deque>
 #include <fstream>
-#include <list>
 #include <optional>
 
 #include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/base/interrupt.hpp"
 #include "compare/process/many_cases.hpp"
+#include "compare/process/side_by_side.hpp"
 
 namespace validate {
 namespace {
@@ -62,17 +60,14 @@ std::string last_command(const fs::path& log) {
   return last;
 }
 
-/// One job that runs.
-struct RunningJob {
-  std::size_t index;
+/// What is known of a job that has been started.
+struct StartedJob {
   fs::path folder, log;
-  ChildProcess child;
   bool ended_well = false;
   std::string error;  ///< what the program itself said
   atomistic::Fault fault = atomistic::Fault::program;
 
-  std::string failure() {
-    const ChildEnd end = child.wait();
+  std::string failure(const ChildEnd& end) const {
     if (fault != atomistic::Fault::program) return error;
     if (const auto line = line_with(log, "ERROR"))
       return fmt::format("LAMMPS stopped: \"{}\" (last command: {}; log: {})", *line, last_command(log), log.string());
@@ -92,8 +87,7 @@ struct RunningJob {
   }
 };
 
-RunningJob start(const AtomsLaunch& launch, const AtomsJob& job, std::size_t index, const fs::path& work) {
-  const fs::path folder = work / job.name;
+ChildProcess start(const AtomsLaunch& launch, const AtomsJob& job, const fs::path& folder) {
   const fs::path job_file = folder / "job.json";
   try {
     fs::create_directories(folder);
@@ -101,27 +95,10 @@ RunningJob start(const AtomsLaunch& launch, const AtomsJob& job, std::size_t ind
   } catch (const std::exception& e) {
     throw Error(ExitCode::file_failed, e.what());
   }
-  return {.index = index,
-          .folder = folder,
-          .log = job.job.log_file,
-          .child = ChildProcess({.words = command_words(launch, job.ranks, job_file),
-                                 .folder = folder,
-                                 .standard_error = folder / "stderr",
-                                 .environment = mpi_environment()}),
-          .ended_well = false,
-          .error = {},
-          .fault = atomistic::Fault::program};
-}
-
-void wait_for_output(std::list<RunningJob>& running) {
-  std::vector<pollfd> descriptors;
-  for (const RunningJob& job : running) descriptors.push_back({job.child.output(), POLLIN, 0});
-  ::poll(descriptors.data(), descriptors.size(), 1000);
-}
-
-bool readable(const ChildProcess& child) {
-  pollfd descriptor{child.output(), POLLIN, 0};
-  return ::poll(&descriptor, 1, 0) > 0;
+  return ChildProcess({.words = command_words(launch, job.ranks, job_file),
+                       .folder = folder,
+                       .standard_error = folder / "stderr",
+                       .environment = mpi_environment()});
 }
 
 }  // namespace
@@ -146,36 +123,25 @@ bool has_mpiexec() { return find_program("mpiexec").has_value(); }
 std::vector<AtomsOutcome> run_jobs(const AtomsLaunch& launch, const std::vector<AtomsJob>& jobs, const fs::path& work,
                                    const std::function<void(std::size_t, const atomistic::Event&)>& on_event) {
   std::vector<AtomsOutcome> outcomes(jobs.size());
-  std::list<RunningJob> running;
-  std::size_t next = 0;
-  int busy = 0;
-  while (next < jobs.size() || !running.empty()) {
-    while (next < jobs.size() && (running.empty() || busy + jobs[next].ranks <= launch.cores)) {
-      running.push_back(start(launch, jobs[next], next, work));
-      busy += jobs[next++].ranks;
-    }
-    wait_for_output(running);
-    if (interrupted()) {
-      for (RunningJob& job : running) job.child.stop();
-      throw Error(ExitCode::interrupted, "interrupted");
-    }
-    for (RunningJob& job : running) {
-      if (!readable(job.child)) continue;
-      for (const std::string& line : job.child.read_lines()) {
-        const atomistic::Event event = atomistic::event_from_line(line);
-        job.note(event);
-        on_event(job.index, event);
-      }
-    }
-    running.remove_if([&](RunningJob& job) {
-      if (job.child.output() >= 0) return false;
-      outcomes[job.index].finished = job.child.wait().good() && job.ended_well;
-      if (!outcomes[job.index].finished) outcomes[job.index].failure = job.failure();
-      outcomes[job.index].fault = job.fault;
-      busy -= jobs[job.index].ranks;
-      return true;
-    });
+  std::vector<StartedJob> started;
+  std::vector<int> ranks;
+  for (const AtomsJob& job : jobs) {
+    started.push_back({.folder = work / job.name, .log = job.job.log_file});
+    ranks.push_back(job.ranks);
   }
+  run_side_by_side(ranks, launch.cores,
+                   {.start = [&](std::size_t i) { return start(launch, jobs[i], started[i].folder); },
+                    .on_line =
+                        [&](std::size_t i, const std::string& line) {
+                          const atomistic::Event event = atomistic::event_from_line(line);
+                          started[i].note(event);
+                          on_event(i, event);
+                        },
+                    .on_end =
+                        [&](std::size_t i, const ChildEnd& end) {
+                          outcomes[i] = {.finished = end.good() && started[i].ended_well, .fault = started[i].fault};
+                          if (!outcomes[i].finished) outcomes[i].failure = started[i].failure(end);
+                        }});
   return outcomes;
 }
 

@@ -1,19 +1,16 @@
 #include "compare/process/many_cases.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sched.h>
 
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <list>
 #include <set>
 
-#include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/base/interrupt.hpp"
 #include "compare/process/run_folder.hpp"
+#include "compare/process/side_by_side.hpp"
 
 namespace validate {
 namespace {
@@ -59,97 +56,70 @@ CaseEnd end_of_case(const ChildEnd& end, const fs::path& log, double seconds) {
   return {.exit_code = end.exit_code, .seconds = seconds, .reason = verdict ? "" : last_line(log)};
 }
 
-struct RunningCase {
-  std::size_t index;
-  std::vector<int> cores;
-  double started;
-  ChildProcess child;
-};
-
 class CasePool {
  public:
   CasePool(const std::vector<ManyCase>& cases, bool resume, Progress& progress, const std::vector<int>& cores)
       : cases_(cases), resume_(resume), progress_(progress), free_(cores.begin(), cores.end()), ends_(cases.size()) {
-    all_ = free_.size();
+    const int all = static_cast<int>(cores.size());
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      wanted_.push_back(was_finished(i) ? 0 : std::clamp(cases[i].cores, 1, all));
+    used_.resize(cases.size());
   }
 
   std::vector<CaseEnd> run() {
-    while (next_ < cases_.size() || !running_.empty()) {
-      while (next_ < cases_.size() && start_next()) ++next_;
-      if (running_.empty()) continue;
-      wait_for_output();
-      if (interrupted()) stop_all();
-      running_.remove_if([&](RunningCase& c) { return has_ended(c); });
-    }
+    run_side_by_side(wanted_, static_cast<int>(free_.size()),
+                     {.start = [this](std::size_t i) { return start(i); },
+                      .on_end = [this](std::size_t i, const ChildEnd& end) { note(i, end); }});
     return ends_;
   }
 
  private:
-  /// Whether the next case needs no more waiting.
-  bool start_next() {
-    const ManyCase& c = cases_[next_];
-    if (const auto code = finished_exit_code(c.folder); resume_ && code) {
-      ends_[next_] = {.exit_code = *code, .seconds = 0, .reason = "", .finished_before = true};
-      progress_.say(fmt::format("{}: finished before", c.name));
-      return true;
-    }
-    const std::size_t wanted = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(c.cores, 1)), 1, all_);
-    if (wanted > free_.size()) return false;
-    start(c, std::vector<int>(free_.begin(), std::next(free_.begin(), static_cast<std::ptrdiff_t>(wanted))));
-    return true;
+  bool was_finished(std::size_t i) {
+    const auto code = resume_ ? finished_exit_code(cases_[i].folder) : std::nullopt;
+    if (code) ends_[i] = {.exit_code = *code, .seconds = 0, .reason = "", .finished_before = true};
+    return code.has_value();
   }
 
-  void start(const ManyCase& c, const std::vector<int>& cores) {
+  std::optional<ChildProcess> start(std::size_t i) {
+    const ManyCase& c = cases_[i];
+    if (ends_[i].finished_before) {
+      progress_.say(fmt::format("{}: finished before", c.name));
+      return std::nullopt;
+    }
     std::vector<std::string> words = c.words;
     words.insert(words.end(), {"--out", c.folder.string(), "--quiet"});
     if (resume_ && is_resumable(c.folder)) words.push_back("--resume");
+    const std::vector<int> cores(free_.begin(), std::next(free_.begin(), wanted_[i]));
     const OnCores only(cores);
     try {
-      running_.push_back({next_, cores, seconds(),
-                          ChildProcess({.words = words,
-                                        .standard_error = c.log,
-                                        .environment = {{"OMP_NUM_THREADS", std::to_string(cores.size())}}})});
+      ChildProcess child({.words = words,
+                          .standard_error = c.log,
+                          .environment = {{"OMP_NUM_THREADS", std::to_string(cores.size())}}});
+      for (const int core : cores) free_.erase(core);
+      used_[i] = cores;
+      ends_[i].seconds = seconds();
+      progress_.say(fmt::format("{}: started", c.name));
+      return child;
     } catch (const Error& error) {
-      ends_[next_] = {.exit_code = static_cast<int>(error.exit_code()), .seconds = 0, .reason = error.what()};
+      ends_[i] = {.exit_code = static_cast<int>(error.exit_code()), .seconds = 0, .reason = error.what()};
       progress_.say(fmt::format("{}: {}", c.name, error.what()));
-      return;
+      return std::nullopt;
     }
-    for (const int core : cores) free_.erase(core);
-    progress_.say(fmt::format("{}: started", c.name));
   }
 
-  /// Reads what they print, so that none waits for a full pipe; its numbers are in its documents.
-  void wait_for_output() {
-    std::vector<pollfd> descriptors;
-    for (const RunningCase& c : running_) descriptors.push_back({c.child.output(), POLLIN, 0});
-    ::poll(descriptors.data(), descriptors.size(), 1000);
-    std::size_t i = 0;
-    for (RunningCase& c : running_)
-      if (descriptors[i++].revents != 0) c.child.read_lines();
-  }
-
-  void stop_all() {
-    for (RunningCase& c : running_) c.child.ask_to_stop();
-    for (RunningCase& c : running_) c.child.stop();
-    throw Error(ExitCode::interrupted, "interrupted");
-  }
-
-  bool has_ended(RunningCase& c) {
-    if (c.child.output() >= 0) return false;
-    const ManyCase& of = cases_[c.index];
-    ends_[c.index] = end_of_case(c.child.wait(), of.log, seconds() - c.started);
-    free_.insert(c.cores.begin(), c.cores.end());
-    progress_.say(fmt::format("{}: ended with exit code {}", of.name, ends_[c.index].exit_code));
-    return true;
+  void note(std::size_t i, const ChildEnd& end) {
+    ends_[i] = end_of_case(end, cases_[i].log, seconds() - ends_[i].seconds);
+    free_.insert(used_[i].begin(), used_[i].end());
+    progress_.say(fmt::format("{}: ended with exit code {}", cases_[i].name, ends_[i].exit_code));
   }
 
   const std::vector<ManyCase>& cases_;
   bool resume_;
   Progress& progress_;
   std::set<int> free_;
-  std::size_t all_ = 0, next_ = 0;
-  std::list<RunningCase> running_;
-  std::vector<CaseEnd> ends_;
+  std::vector<int> wanted_;             ///< cores a case, 0 where there is nothing to run
+  std::vector<std::vector<int>> used_;  ///< cores that it runs on
+  std::vector<CaseEnd> ends_;           ///< of what runs: seconds hold when it began
 };
 
 }  // namespace
