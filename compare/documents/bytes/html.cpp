@@ -67,6 +67,8 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
+std::string preformatted(std::string_view text) { return "<pre>" + escaped(text) + "</pre>\n"; }
+
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
   std::string text = "<div class=\"wide\"><table>\n<thead><tr>";
   for (const std::string& cell : header) text += "<th scope=\"col\">" + escaped(cell) + "</th>";

@@ -10,6 +10,9 @@ namespace validate::html {
 /// Text with the characters that HTML reads as markup replaced.
 std::string escaped(std::string_view text);
 
+/// Text whose lines and blanks stay as they are.
+std::string preformatted(std::string_view text);
+
 /// A table; cells are text, not markup. Cells from the second column on are set as numbers.
 std::string table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 

@@ -6,12 +6,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/base/units.hpp"
+#include "compare/documents/texts/numbers.hpp"
 
 namespace validate {
 namespace {
-
-double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
 
 void add_row(std::string& text, const char* what, double value, double error, int digits,
              const std::string& more = {}) {

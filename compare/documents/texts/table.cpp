@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "compare/base/errors.hpp"
-#include "compare/base/units.hpp"
 #include "compare/documents/texts/explanation_text.hpp"
+#include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
 
 namespace validate {
@@ -54,19 +54,6 @@ void add_row(std::string& text, const Row& cell) {
   text.append(line, 0, line.find_last_not_of(' ') + 1) += '\n';
 }
 
-double in_N_per_m(double eV_per_A2) { return eV_per_A2 * N_per_m_per_eV_per_A2; }
-
-// A rounding error of either sign prints as 0, not as -0.
-std::string fixed(double value, int digits) {
-  const std::string text = fmt::format("{:.{}f}", value, digits);
-  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
-  return zero ? fmt::format("{:.{}f}", 0.0, digits) : text;
-}
-
-std::string with_error(double value, double error, int digits) {
-  return fixed(value, digits) + " ± " + fixed(error, digits);
-}
-
 std::string name_of(const Run& run) {
   const std::string name = fmt::format("{} {}", to_string(run.model), to_string(run.load));
   return run.constants ? fmt::format("{} {}", name, to_string(*run.constants)) : name;
@@ -86,12 +73,12 @@ Row row_of(const Run& run, const std::string& card) {
   if (!found) return {name_of(run), "-", "-", card, "-", "-", "-", "-", last_point(run), ended};
   const Fit& fit = *found;
   return {name_of(run),
-          with_error(in_N_per_m(fit.Eh_eV_per_A2), in_N_per_m(fit.Eh_stderr_eV_per_A2), 1),
-          fixed(fit.Eh_eV_per_A2, 2),
+          with_error_N_per_m(fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, 1),
+          number(fit.Eh_eV_per_A2, "{:.2f}"),
           card,
-          with_error(in_N_per_m(fit.pretension_eV_per_A2), in_N_per_m(fit.pretension_stderr_eV_per_A2), 3),
-          fixed(fit.correlation, 2),
-          fixed(100 * fit.rms_relative, 2),
+          with_error_N_per_m(fit.pretension_eV_per_A2, fit.pretension_stderr_eV_per_A2, 3),
+          number(fit.correlation, "{:.2f}"),
+          number(100 * fit.rms_relative, "{:.2f}"),
           fmt::format("{}", fit.points),
           last_point(run),
           ended};
@@ -116,12 +103,10 @@ void add_corrections(std::string& text, const std::vector<Run>& runs) {
     const FitBias& bias = *biased(run)->bias;
     const Fit* direct = continuum_fit(run.fits);
     line({name_of(run), fmt::format("{:+.1f} %", 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1)),
-          fixed(in_N_per_m(bias.Eh_corrected_eV_per_A2), 1),
-          direct ? with_error(in_N_per_m(direct->Eh_eV_per_A2), in_N_per_m(direct->Eh_stderr_eV_per_A2), 1) : "",
-          fixed(in_N_per_m(bias.pretension_corrected_eV_per_A2), 3),
-          direct
-              ? with_error(in_N_per_m(direct->pretension_eV_per_A2), in_N_per_m(direct->pretension_stderr_eV_per_A2), 3)
-              : ""});
+          number(in_N_per_m(bias.Eh_corrected_eV_per_A2), "{:.1f}"),
+          direct ? with_error_N_per_m(direct->Eh_eV_per_A2, direct->Eh_stderr_eV_per_A2, 1) : "",
+          number(in_N_per_m(bias.pretension_corrected_eV_per_A2), "{:.3f}"),
+          direct ? with_error_N_per_m(direct->pretension_eV_per_A2, direct->pretension_stderr_eV_per_A2, 3) : ""});
   }
   text += '\n';
 }
@@ -210,7 +195,7 @@ void add_verdict(std::string& text, const Result& result, bool colour) {
 void add_fits(std::string& text, const Result& result, const std::vector<Run>& runs) {
   add_row(text, headings);
   add_row(text, units);
-  const std::string card = result.card ? fixed(in_N_per_m(result.card->Eh_eV_per_A2), 1) : "-";
+  const std::string card = result.card ? number(in_N_per_m(result.card->Eh_eV_per_A2), "{:.1f}") : "-";
   for (const Run& run : runs) add_row(text, row_of(run, card));
   text += '\n';
   add_corrections(text, runs);

@@ -1,0 +1,265 @@
+#include "compare/documents/texts/report_experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/documents/bytes/html.hpp"
+#include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/texts/numbers.hpp"
+#include "compare/documents/texts/pressed_table.hpp"
+
+namespace validate {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string name_of(const Run& run) {
+  const std::string name =
+      fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : to_string(run.model), to_string(run.load));
+  if (!run.constants) return name;
+  return fmt::format("{}, {} {}", name, to_string(*run.constants),
+                     run.constants == Constants::calibrated ? "law" : "constants");
+}
+
+std::string interval_N_per_m(const std::array<double, 2>& ends, int digits) {
+  if (!std::isfinite(ends[0]) || !std::isfinite(ends[1])) return "–";
+  return fmt::format("{:.{}f} … {:.{}f}", in_N_per_m(ends[0]), digits, in_N_per_m(ends[1]), digits);
+}
+
+std::string verdict(const Result& result) {
+  if (!result.agreement)
+    return fmt::format(
+        "<p class=\"verdict\"><b>No verdict</b>: {}.</p>\n",
+        html::escaped(result.agreement_skipped.empty() ? "nothing to compare" : result.agreement_skipped));
+  const Agreement& a = *result.agreement;
+  return fmt::format(
+      "<p class=\"verdict {}\"><b>{}</b>: over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force "
+      "differs from "
+      "{} by at most {:.2f} % (tolerance {:.2f} %).</p>\n",
+      a.outcome == Outcome::agree ? "good" : "bad", a.outcome == Outcome::agree ? "Agreement" : "Disagreement",
+      a.window[0], a.window[1], to_string(a.load),
+      a.against == Model::sheet
+          ? "that of the sheet that the potential's own law makes, with bending and no fitted number,"
+          : "the like-for-like membrane's",
+      100 * a.max_relative_difference, 100 * a.tolerance);
+}
+
+std::string heading(const Result& result) {
+  std::string text = fmt::format("<h1>{}, R = {:g} Å</h1>\n",
+                                 html::escaped(result.card || result.sheet ? result.resolved.potential : "membrane"),
+                                 result.resolved.radius_A);
+  if (const auto& card = result.card)
+    text += fmt::format(
+        "<p class=\"soft\">Potential card: a<sub>0</sub> = {:.5f} Å, E·h = {:.1f} N/m ({:.3f} eV/Å²), ν = "
+        "{:.4f}, "
+        "κ = {:.3f} eV.{}</p>\n",
+        card->a0_A, in_N_per_m(card->Eh_eV_per_A2), card->Eh_eV_per_A2, card->nu, card->bending_modulus_eV,
+        result.sheet ? fmt::format(" {} atoms, effective radius a = {:.3f} Å.", result.sheet->atoms,
+                                   result.sheet->effective_radius_A)
+                     : "");
+  return text;
+}
+
+/// What Eq. 16 and the membrane itself read as one constant.
+struct Reading {
+  const char* name;
+  int digits;
+  double Run::*truth;
+  double Fit::*value;
+  double Fit::*error;
+  double FitBias::*corrected;
+  std::string (*bias)(const FitBias&);
+};
+
+const Reading readings[] = {
+    {"E·h", 1, &Run::Eh_eV_per_A2, &Fit::Eh_eV_per_A2, &Fit::Eh_stderr_eV_per_A2, &FitBias::Eh_corrected_eV_per_A2,
+     [](const FitBias& b) { return fmt::format("{:+.1f} %", 100 * (b.Eh_read_eV_per_A2 / b.Eh_true_eV_per_A2 - 1)); }},
+    {"pretension", 3, &Run::pretension_eV_per_A2, &Fit::pretension_eV_per_A2, &Fit::pretension_stderr_eV_per_A2,
+     &FitBias::pretension_corrected_eV_per_A2, [](const FitBias& b) {
+       return fmt::format("{:+.3f}", in_N_per_m(b.pretension_read_eV_per_A2 - b.pretension_true_eV_per_A2));
+     }}};
+
+std::vector<std::string> row_of(const Run& run, const Reading& of) {
+  const std::string format = fmt::format("{{:.{}f}}", of.digits);
+  std::vector<std::string> row = {name_of(run), number(in_N_per_m(run.*of.truth), format.c_str()), "no fit", "–", "–",
+                                  "–"};
+  const Fit* const fit = closed_form_fit(run.fits);
+  if (!fit) return row;
+  row[2] = with_error_N_per_m(fit->*of.value, fit->*of.error, of.digits);
+  if (fit->bias) {
+    row[3] = of.bias(*fit->bias);
+    row[4] = number(in_N_per_m(*fit->bias.*of.corrected), format.c_str());
+  }
+  if (const Fit* const direct = continuum_fit(run.fits))
+    row[5] = with_error_N_per_m(direct->*of.value, direct->*of.error, of.digits);
+  return row;
+}
+
+/// A table a constant, so that each fits a phone and a page.
+std::string headline_tables(const Result& result) {
+  std::string text = "<h2>E·h and pretension (N/m)</h2>\n";
+  for (const Reading& reading : readings) {
+    Rows rows;
+    for (const Run& run : result.runs) rows.push_back(row_of(run, reading));
+    text += html::table({reading.name, "true", "Eq. 16", "its bias", "corrected", "membrane itself"}, rows);
+  }
+  for (const Run& run : result.runs)
+    if (run.fits.empty())
+      text += "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
+  return text +
+         "<p class=\"soft\">True: the constants of the membrane, or of the potential from small strains. Its bias: "
+         "what "
+         "Eq. 16 reads from the like-for-like membrane over the same depths, whose constants are known. Membrane "
+         "itself: "
+         "the finite-strain membrane with the real tip, E·h and pretension free. Errors are standard errors of the fit "
+         "and know nothing of the bias. What is left between the membrane itself and true, for atoms, is what the "
+         "membrane lacks: bending, which reads as pretension, and the softening of the bonds.</p>\n";
+}
+
+std::string regimes(const Comparison& c, double tolerance) {
+  std::string text;
+  if (std::isfinite(c.bending_to_A))
+    text += fmt::format("Bending keeps the atoms more than {:g} % above the membrane up to a depth of {:.3g} Å. ",
+                        100 * tolerance, c.bending_to_A);
+  if (std::isfinite(c.softening_from_A))
+    text += fmt::format("Softening of the bonds takes them more than {:g} % below it from {:.3g} Å on. ",
+                        100 * tolerance, c.softening_from_A);
+  if (std::isfinite(c.artefact_from_A))
+    text += fmt::format("From {:.3g} Å on the forces are an artefact of the potential. ", c.artefact_from_A);
+  if (std::isfinite(c.predicted_artefact_from_A))
+    text += fmt::format("The calibrated sheet's strains put the artefact's beginning at {:.3g} Å. ",
+                        c.predicted_artefact_from_A);
+  return text.empty() ? "One regime throughout." : text;
+}
+
+std::string explanation(const Result& result, LoadKind load) {
+  for (const Explanation& e : result.explanations) {
+    if (e.load != load) continue;
+    std::vector<std::string> header = {"depth / a"};
+    for (const Share& share : shares()) header.emplace_back(share.name);
+    Rows rows;
+    for (const std::size_t i : shown_depths(e.depth_A.size())) {
+      std::vector<std::string> row = {number(e.depth_relative[i], "{:.4f}")};
+      for (const Share& share : shares()) row.push_back(number(100 * (e.*share.values)[i], "{:+.2f} %"));
+      rows.push_back(std::move(row));
+    }
+    return "<h4>What a plain membrane lacks</h4>\n" + html::table(header, rows);
+  }
+  return {};
+}
+
+std::string comparisons(const Result& result) {
+  if (result.comparisons.empty()) return {};
+  std::string text = "<h2>Where continuum and atoms part</h2>\n";
+  for (const Comparison& c : result.comparisons) {
+    text +=
+        fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c, result.resolved.regime_tolerance));
+    Rows rows;
+    for (std::size_t i = 0; i < c.depth_A.size(); ++i)
+      rows.push_back({number(c.depth_A[i], "{:.3f}"), number(c.depth_relative[i], "{:.4f}"),
+                      number(c.force_ratio[i], "{:.4f}"), number(c.depth_ratio[i], "{:.4f}"),
+                      number(c.energy_ratio[i], "{:.4f}"), number(c.calibrated_membrane_ratio[i], "{:.4f}"),
+                      number(c.sheet_ratio[i], "{:.4f}"), std::string(to_string(c.regime[i]))});
+    text += html::table({"depth (Å)", "depth / a", "force ratio", "depth ratio", "energy ratio", "calibrated membrane",
+                         "calibrated sheet", "regime"},
+                        rows);
+    text += explanation(result, c.load);
+  }
+  return text +
+         "<p class=\"soft\">Ratios are atoms / membrane with the potential's own constants: force and energy "
+         "at equal depth, "
+         "depth at equal force; force over that of the membrane and of the bending sheet with the potential's own law. "
+         "What "
+         "a plain membrane (nominal radii, St Venant–Kirchhoff) lacks is in per cent of its force.</p>\n";
+}
+
+std::string fits(const Result& result) {
+  Rows rows;
+  std::string warnings;
+  for (const Run& run : result.runs) {
+    const Fit* found = closed_form_fit(run.fits);
+    if (!found) continue;
+    const Fit& fit = *found;
+    rows.push_back({name_of(run), interval_N_per_m(fit.Eh_interval_eV_per_A2, 1),
+                    number(in_N_per_m(fit.Eh_bootstrap_eV_per_A2), "{:.2f}"),
+                    interval_N_per_m(fit.pretension_interval_eV_per_A2, 3),
+                    number(in_N_per_m(fit.pretension_bootstrap_eV_per_A2), "{:.3f}"), number(fit.correlation, "{:.3f}"),
+                    number(fit.condition_number, "{:.1f}"), number(fit.r_squared, "{:.6f}"),
+                    number(100 * fit.rms_relative, "{:.3f}"), fmt::format("{}", fit.points),
+                    fmt::format("{:.3g} … {:.3g}", fit.window_A[0], fit.window_A[1])});
+    for (const std::string& warning : fit.warnings)
+      warnings += "<li>" + html::escaped(name_of(run)) + ": " + html::escaped(warning) + "</li>\n";
+  }
+  if (rows.empty()) return {};
+  std::string text = "<h2>How far to trust the fits</h2>\n" +
+                     html::table({"Eq. 16 fitted to", "E·h 95 %", "bootstrap ±", "pretension 95 %", "bootstrap ±",
+                                  "correlation", "condition", "R²", "rms %", "points", "depths (Å)"},
+                                 rows);
+  if (!warnings.empty()) text += "<ul>\n" + warnings + "</ul>\n";
+  return text;
+}
+
+/// What the softness of a sphere's contact does to its curve.
+std::string contact(const Run& run) {
+  if (!run.is_atomistic() || !run.atoms().contact) return {};
+  const ContactSensitivity& c = *run.atoms().contact;
+  return fmt::format(
+      "<p>{}: atoms are up to {:.3f} Å inside the sphere. A contact four times stiffer changes the last depth's force "
+      "by "
+      "{:.2f} % at equal travel and by {:.2f} % at equal depth of the sheet.</p>\n",
+      html::escaped(name_of(run)), c.deepest_penetration_A, 100 * c.force_change_relative,
+      100 * c.force_change_at_equal_depth_relative);
+}
+
+/// The numbers that tell of a level's convergence, atoms' or a continuum's.
+std::string levels_table(const Run& run) {
+  std::vector<std::string> header = {"depth (Å)", "force (eV/Å)", "energy (eV)", "converged"};
+  if (run.is_atomistic())
+    for (const char* name : {"longest bond (Å)", "max |f| (eV/Å)", "balance", "force error", "evaluations", "factors"})
+      header.emplace_back(name);
+  else
+    header.emplace_back("Newton steps");
+  Rows rows;
+  for (std::size_t i = 0; i < run.depth_A.size(); ++i) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row = {number(run.depth_A[i], "{:.3f}"), number(run.force_eV_per_A[i], "{:.5f}"),
+           number(run.energy_eV[i], "{:.4f}"), run.converged[i] ? "yes" : "no"};
+    if (!run.is_atomistic()) {
+      row.push_back(std::to_string(run.continuum().newton_iterations[i]));
+      continue;
+    }
+    const AtomsPart& part = run.atoms();
+    row.push_back(number(run.longest_bond_A[i], "{:.4f}"));
+    for (const auto* column : {&part.max_force_eV_per_A, &part.balance_relative, &part.force_error_relative})
+      row.push_back(number((*column)[i], "{:.1e}"));
+    for (const auto* column : {&part.force_evaluations, &part.factorisations})
+      row.push_back(std::to_string((*column)[i]));
+  }
+  return html::table(header, rows);
+}
+
+std::string quality(const Result& result) {
+  std::string text = "<h2>Convergence and quality, depth by depth</h2>\n";
+  for (const Run& run : result.runs)
+    text += fmt::format("<details><summary>{}: {} depths, ended: {}{}</summary>\n", html::escaped(name_of(run)),
+                        run.depth_A.size(), to_string(run.ended),
+                        run.ended_reason.empty() ? "" : " (" + html::escaped(run.ended_reason) + ")") +
+            levels_table(run) + "</details>\n" + contact(run);
+  return text;
+}
+
+}  // namespace
+
+std::string experiment_summary(const Result& result) {
+  const std::string pressed = pressed_table(result);
+  const bool indented = result.runs.empty() ||
+                        std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
+  return heading(result) + (indented ? verdict(result) + headline_tables(result) : std::string()) +
+         (pressed.empty() ? pressed : html::preformatted(pressed));
+}
+
+std::string experiment_details(const Result& result) { return comparisons(result) + fits(result) + quality(result); }
+
+}  // namespace validate

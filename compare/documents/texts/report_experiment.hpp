@@ -1,0 +1,16 @@
+// What an experiment's page says above its figures and below them.
+#pragma once
+
+#include <string>
+
+#include "compare/results/result.hpp"
+
+namespace validate {
+
+/// Heading, verdict, E·h and pretension as true and as read, table of the pressures.
+std::string experiment_summary(const Result& result);
+
+/// Regimes and ratios, fits with intervals and warnings, convergence per depth.
+std::string experiment_details(const Result& result);
+
+}  // namespace validate
