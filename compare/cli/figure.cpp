@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,16 +10,16 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/cli/flags.hpp"
 #include "compare/figures/paper_figure.hpp"
+#include "compare/process/document_folder.hpp"
 
 namespace validate {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct FigureFlags {
   std::string which;
-  std::string out = "figures";
+  OutputOptions output{.out = "figures"};
   std::vector<std::string> potentials;  ///< empty: see potentials_for
   bool quiet = false, atoms = false;
   int starts = 3;
@@ -46,22 +45,20 @@ int figure(const FigureFlags& flags) {
   const std::vector<FigureEntry> entries = chosen(flags.which);
   atomistic::use_one_math_thread();
   catch_interrupts();
-  const fs::path folder = fs::absolute(flags.out), work = folder / "work";
-  std::error_code error;
-  fs::create_directories(work, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
+  OutputFolder folder(*flags.output.out, flags.output.overwrite);
   Progress progress(flags.quiet);
   bool all_pass = true;
   for (const FigureEntry& entry : entries) {
     const PaperFigure made =
-        entry.make({work, potentials_for(entry.number, flags), flags.atoms, flags.starts, progress});
-    write_paper_figure(made, folder);
+        entry.make({folder.work(), potentials_for(entry.number, flags), flags.atoms, flags.starts, progress});
+    write_paper_figure(made, folder.drafts());
+    folder.publish();
     fmt::print("{}\n", numbers_text(made));
     all_pass = all_pass && std::ranges::all_of(made.numbers, passes);
   }
-  fs::remove_all(work, error);
-  return static_cast<int>(all_pass ? ExitCode::success : ExitCode::disagreement);
+  const auto code = static_cast<int>(all_pass ? ExitCode::success : ExitCode::disagreement);
+  folder.finish(code);
+  return code;
 }
 
 }  // namespace
@@ -76,7 +73,7 @@ void add_figure(CLI::App& app, int& exit_code) {
     footer += fmt::format("  {}  {}\n", entry.number, entry.what);
   }
   command->add_option("which", flags->which, list)->required()->type_name("N");
-  command->add_option("--out", flags->out, "folder; default figures")->type_name("DIR");
+  add_output_options(*command, flags->output, "folder; default figures");
   command->add_option("--potential", flags->potentials, "for the atoms; default airebo,rebo,tersoff; figure 4: tersoff")
       ->delimiter(',')
       ->type_name("NAME,...");

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,17 +14,17 @@
 #include "compare/base/field_value.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/cli/flags.hpp"
 #include "compare/documents/fit_files.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/measured_report.hpp"
 #include "compare/fitting/measured_fit.hpp"
 #include "compare/potential/potential_card.hpp"
+#include "compare/process/document_folder.hpp"
 #include "compare/process/provenance.hpp"
 
 namespace validate {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 2> tip_names = {"sphere", "disc"};
 constexpr std::array<std::string_view, 3> weight_names = {"uniform", "relative", "sigma"};
@@ -40,7 +39,8 @@ struct FitFlags {
   bool fit_force_zero = false, quiet = false;
   int bootstrap = 500;
   unsigned seed = 1;
-  std::string out, json;
+  OutputOptions output;
+  std::string json;
 };
 
 /// Value of a flag, or of the remark of the same name in the file.
@@ -136,14 +136,6 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
   return o;
 }
 
-fs::path output_folder(const std::string& out) {
-  const fs::path folder = out.empty() ? fs::current_path() : fs::path(out);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", out, error.message()));
-  return folder;
-}
-
 int fit(const FitFlags& flags) {
   atomistic::use_one_math_thread();
   Result result;
@@ -157,7 +149,11 @@ int fit(const FitFlags& flags) {
   if (flags.json != "-")
     for (const FittedCurve& curve : result.curves) fmt::print("{}\n", measured_text(curve));
   if (!flags.json.empty()) write_json(result, flags.json);
-  if (!flags.out.empty()) write_fit_files(result, output_folder(flags.out));
+  if (flags.output.out) {
+    OutputFolder folder(*flags.output.out, flags.output.overwrite);
+    write_fit_files(result, folder.drafts());
+    folder.finish(0);
+  }
   return 0;
 }
 
@@ -203,7 +199,7 @@ void add_fit(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(0, 100000).description(""));
   command->add_option("--seed", flags->seed, "of the draws; default 1")->type_name("N");
-  text("--out", flags->out, "folder for plots and fit.json; default: none", "DIR");
+  add_output_options(*command, flags->output, "folder for plots and fit.json; default: none");
   text("--json", flags->json, "write the numbers there; - is stdout", "FILE");
   command->footer(fit_examples);
   command->callback([flags, &exit_code] { exit_code = fit(*flags); });

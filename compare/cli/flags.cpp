@@ -234,6 +234,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
              "fields of the membranes (ParaView, run.h5) at every depth, not at the last only: 2 MB a depth and curve");
 }
 
+void add_output_options(CLI::App& command, OutputOptions& options, const std::string& meaning) {
+  command.add_option("--out", options.out, meaning)->type_name("DIR");
+  command.add_flag("--overwrite", options.overwrite, "first remove what was written into --out before");
+}
+
 void check(const RunOptions& options) {
   if (options.resume && options.overwrite) throw bad_input("--resume and --overwrite exclude each other");
 }

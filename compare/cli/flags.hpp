@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,15 @@ class CaseFlags {
 
 /// Adds the flags of a run; the options must outlive the parsing.
 void add_run_options(CLI::App& command, RunOptions&);
+
+/// Where a command that is no run writes its documents.
+struct OutputOptions {
+  std::optional<std::filesystem::path> out;
+  bool overwrite = false;
+};
+
+/// Adds --out, which `meaning` tells of, and --overwrite; the options must outlive the parsing.
+void add_output_options(CLI::App& command, OutputOptions&, const std::string& meaning);
 
 /// Refuses options that contradict each other.
 void check(const RunOptions&);

@@ -16,6 +16,7 @@
 #include "compare/documents/texts/json.hpp"
 #include "compare/potential/potential_card.hpp"
 #include "compare/potential/switch_length.hpp"
+#include "compare/process/document_folder.hpp"
 #include "compare/study/summaries.hpp"
 
 namespace validate {
@@ -33,7 +34,8 @@ Examples:
 
 struct Options {
   std::string name, switch_length;
-  std::optional<fs::path> out, json;
+  OutputOptions output;
+  std::optional<fs::path> json;
   bool refresh = false;
 };
 
@@ -46,13 +48,6 @@ double parsed_switch_length(const std::string& text) {
   return length.value();
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", folder.string(), error.message()));
-}
-
 void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw Error(ExitCode::file_failed, "cannot write to stdout");
@@ -61,19 +56,25 @@ void print(const std::string& text) {
 int potential(const Options& options) {
   PotentialFile file = read_potential(options.name, inputs_folder() / "potentials", "NAME");
   for (const std::string& warning : file.warnings) spdlog::warn("{}", warning);
+  std::optional<OutputFolder> folder;
+  const auto open_folder = [&] {
+    if (options.output.out && !folder) folder.emplace(*options.output.out, options.output.overwrite);
+  };
   if (!options.switch_length.empty()) {
     const double length = parsed_switch_length(options.switch_length);
     check_switch(file, "--switch-length");
-    if (!options.out) throw bad_input("--switch-length: the changed copy of the file needs a folder: add --out DIR");
-    make_folder(*options.out);
-    file = with_switch_at(file, length, *options.out, "--switch-length");
+    if (!options.output.out)
+      throw bad_input("--switch-length: the changed copy of the file needs a folder: add --out DIR");
+    open_folder();
+    file = with_switch_at(file, length, *folder, "--switch-length");
   }
   catch_interrupts();
   const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = 1};
   const Result result = potential_result(potential_card(file, launch, card_cache(), options.refresh));
-  if (options.out) {
-    make_folder(*options.out);
-    if (const auto missing = write_card_files(result, *options.out)) spdlog::warn("{}", *missing);
+  open_folder();
+  if (folder) {
+    if (const auto missing = write_card_files(result, folder->drafts())) spdlog::warn("{}", *missing);
+    folder->finish(0);
   }
   if (options.json) write_json(result, options.json->string());
   if (!options.json || *options.json != "-") print(card_table(result));
@@ -87,8 +88,7 @@ void add_potential(CLI::App& app, int& exit_code) {
       app.add_subcommand("potential", "what a potential says of flat graphene: moduli, strength, bending");
   const auto options = std::make_shared<Options>();
   command->add_option("NAME", options->name, "name in inputs/potentials, or path to a TOML file")->required();
-  command->add_option("--out", options->out, "folder for card.json, law.toml, stress-strain.csv, .svg, .png")
-      ->type_name("DIR");
+  add_output_options(*command, options->output, "folder for card.json, law.toml, stress-strain.csv, .svg, .png");
   command->add_option("--json", options->json, "write the card there; - is stdout")->type_name("FILE");
   command->add_option("--switch-length", options->switch_length, "move the C-C switch of AIREBO or REBO there, Å")
       ->type_name("VALUE");

@@ -44,10 +44,7 @@ Error interrupted_in(const RunFolder& folder) {
 std::optional<PotentialFile> prepared(const std::optional<PotentialFile>& potential, const Case& c, RunFolder& folder) {
   if (!potential) return std::nullopt;
   if (!c.switch_length_A) return potential;
-  PotentialFile moved = with_switch_at(*potential, *c.switch_length_A, folder.drafts(), "switch-length");
-  folder.publish();
-  moved.potential.file = (folder.path() / std::filesystem::path(moved.potential.file).filename()).string();
-  return moved;
+  return with_switch_at(*potential, *c.switch_length_A, folder, "switch-length");
 }
 
 /// What one document fails at does not take the others away.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,22 +12,24 @@
 #include "compare/base/file.hpp"
 #include "compare/base/nearest.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/cli/flags.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/verify_table.hpp"
+#include "compare/process/document_folder.hpp"
 #include "compare/process/provenance.hpp"
 #include "compare/verify/groups.hpp"
 
 namespace validate {
 namespace {
 
-namespace fs = std::filesystem;
 using verify::Group;
 using verify::Row;
 
 struct VerifyFlags {
   std::string what;
   std::vector<std::string> groups;
-  std::string out, json;
+  OutputOptions output;
+  std::string json;
   bool quiet = false;
 };
 
@@ -65,15 +66,13 @@ std::vector<Row> rows_of(const std::vector<Group>& groups, Progress& progress) {
   return rows;
 }
 
-void write_files(const VerifyFlags& flags, const std::vector<Row>& rows, const std::string& json) {
+void write_files(const VerifyFlags& flags, const std::vector<Row>& rows, const std::string& json, int exit_code) {
   if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
-  if (flags.out.empty()) return;
-  std::error_code error;
-  fs::create_directories(flags.out, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", flags.out, error.message()));
-  write_file(fs::path(flags.out) / "verify.csv", verify::table_csv(rows));
-  write_file(fs::path(flags.out) / "verify.json", json);
+  if (!flags.output.out) return;
+  OutputFolder folder(*flags.output.out, flags.output.overwrite);
+  write_file(folder.drafts() / "verify.csv", verify::table_csv(rows));
+  write_file(folder.drafts() / "verify.json", json);
+  folder.finish(exit_code);
 }
 
 /// Exit code 3 where a row fails.
@@ -84,7 +83,7 @@ int verify_command(const VerifyFlags& flags) {
   Result result = verify::verification_result(rows);
   result.provenance = provenance(command_line());
   const std::string json = json_text(result);
-  write_files(flags, rows, json);
+  write_files(flags, rows, json, result.exit_code);
   fmt::print("{}", flags.json == "-" ? json : verify::table_text(rows));
   return result.exit_code;
 }
@@ -112,7 +111,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   command->add_option("--group", flags->groups, "these groups only; default all")
       ->delimiter(',')
       ->type_name("NAME,...");
-  command->add_option("--out", flags->out, "folder for verify.csv and verify.json")->type_name("DIR");
+  add_output_options(*command, flags->output, "folder for verify.csv and verify.json");
   command->add_option("--json", flags->json, "write the rows as JSON; - for stdout, instead of the table")
       ->type_name("FILE");
   command->add_flag("--quiet", flags->quiet, "no progress on stderr");

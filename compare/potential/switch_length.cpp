@@ -44,7 +44,7 @@ void check_switch(const PotentialFile& potential, std::string_view label) {
         potential.potential.name);
 }
 
-PotentialFile with_switch_at(const PotentialFile& potential, double length_A, const std::filesystem::path& folder,
+PotentialFile with_switch_at(const PotentialFile& potential, double length_A, DocumentFolder& folder,
                              std::string_view label) {
   check_switch(potential, label);
   const std::filesystem::path original = potential.potential.file;
@@ -52,14 +52,14 @@ PotentialFile with_switch_at(const PotentialFile& potential, double length_A, co
   if (edit.places != 1)
     throw bad_input("{}: '{}' stands {} times in '{}'; once is expected", label, potential.switch_parameter,
                     edit.places, original.string());
-  const std::filesystem::path copy =
-      std::filesystem::absolute(folder) / fmt::format("switched-{}", original.filename().string());
-  write_file(copy, edit.content);
+  const std::string copy = fmt::format("switched-{}", original.filename().string());
+  write_file(folder.drafts() / copy, edit.content);
+  folder.publish();
   PotentialFile moved = potential;
-  moved.potential.file = copy.string();
+  moved.potential.file = (folder.path() / copy).string();
   moved.potential.artefact_bond_A = length_A;
   moved.edit = fmt::format("{} from {} to {} Å in a copy, {}, SHA-256 {}", potential.switch_parameter, edit.old_value,
-                           length_A, copy.filename().string(), sha256(edit.content));
+                           length_A, copy, sha256(edit.content));
   return moved;
 }
 

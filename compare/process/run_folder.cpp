@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* drafts_name = "drafts";
-
 enum class Holds { nothing, begun_run, unfinished_run, finished_run, something_else };
 
 /// Killed between its first folder and its case: nothing but an empty `work`.
@@ -93,8 +91,8 @@ void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& no
 
 }  // namespace
 
-RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
-                     const nlohmann::ordered_json& identity) {
+RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const nlohmann::ordered_json& identity)
+    : DocumentFolder("work") {
   path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume)).lexically_normal();
   if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
   allowed_contents(path_, options);                        // before anything is made
@@ -108,7 +106,7 @@ RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
   if (options.resume && holds == Holds::unfinished_run) {
     refuse_changed_case(work() / "case.json", identity);
     record_ = read_record(path_).value_or(RunRecord());
-    fs::remove_all(work() / drafts_name, error);  // half written ones
+    fs::remove_all(work() / "drafts", error);  // half written ones
   } else {
     start(identity);
   }
@@ -122,33 +120,6 @@ void RunFolder::start(const nlohmann::ordered_json& identity) {
     throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", path_.string(), error.message()));
   write_file(work() / "case.json", identity.dump(1) + "\n");
   started_here_ = true;
-}
-
-fs::path RunFolder::drafts() const {
-  const fs::path folder = work() / drafts_name;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", folder.string(), error.message()));
-  return folder;
-}
-
-void RunFolder::publish() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(drafts())) names.push_back(entry.path().filename().string());
-  if (names.empty()) return;
-  std::sort(names.begin(), names.end());
-  for (const std::string& name : names) record_.add_file(name);
-  write_record(path_, record_);  // first: a kill then leaves names without files, never files without names
-  std::string failure;
-  for (const std::string& name : names) {
-    std::error_code error;
-    fs::rename(drafts() / name, path_ / name, error);
-    if (error && failure.empty())
-      failure = fmt::format("cannot write '{}': {}", (path_ / name).string(), error.message());
-  }
-  sync_folder(path_);
-  if (!failure.empty()) throw Error(ExitCode::file_failed, failure);
 }
 
 void RunFolder::finish(ExitCode code) {

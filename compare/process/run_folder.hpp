@@ -8,34 +8,19 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/input/run_options.hpp"
-#include "compare/process/folder_lock.hpp"
-#include "compare/process/run_record.hpp"
+#include "compare/process/document_folder.hpp"
 
 namespace validate {
 
-/// A locked run folder. While the run is unfinished it has a subfolder `work` with the case, the atomistic program's
-/// jobs, logs and finished steps; finish() removes it. Documents are written into drafts() and moved up by publish(),
-/// which first puts their names into the folder's record: whatever the program has left in the folder, and wherever it
-/// was killed, --overwrite knows it from what the user has put there.
-class RunFolder {
+/// While the run is unfinished its folder has a subfolder `work` with the case, the atomistic program's jobs, logs and
+/// finished steps; finish() removes it.
+class RunFolder : public DocumentFolder {
  public:
   /// Takes --out, or the first free runs/<default_name>, -2, -3, …; with --resume the newest of these. `identity` is
   /// what decides the numbers, key by key: only a run of the same one is resumed.
   /// Throws Error: bad input for a folder that holds something else, a finished run without --overwrite, an unfinished
   /// one without --resume, or another case; file failed where it cannot be written; bad input where it is in use.
   RunFolder(const RunOptions& options, const std::string& default_name, const nlohmann::ordered_json& identity);
-  RunFolder(const RunFolder&) = delete;
-  RunFolder& operator=(const RunFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path work() const { return path_ / "work"; }
-
-  /// Where documents are written: on the run folder's file system, made if it is not there.
-  std::filesystem::path drafts() const;
-
-  /// Moves every file of drafts() into the run folder. One that cannot be moved does not keep the others from it; the
-  /// first failure is thrown at the end (Error, file failed).
-  void publish();
 
   /// Publishes, keeps the exit code, removes `work`.
   void finish(ExitCode code);
@@ -47,11 +32,8 @@ class RunFolder {
  private:
   void start(const nlohmann::ordered_json& identity);
 
-  std::filesystem::path path_;
   std::filesystem::path first_new_;  ///< the uppermost folder that did not exist; empty: all did
   bool started_here_ = false;        ///< not resumed
-  std::optional<FolderLock> lock_;
-  RunRecord record_;
 };
 
 /// The exit code of the finished run in a folder; nothing where there is none.

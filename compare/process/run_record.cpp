@@ -73,6 +73,25 @@ void remove_run_below(const fs::path& folder) {
   fs::remove(folder, ignored);  // if nothing is left in it
 }
 
+void clear(const fs::path& folder, const std::vector<fs::path>& leftovers) {
+  RunRecord record = read_record(folder).value_or(RunRecord());
+  if (record.exit_code) {  // from here on it is no finished run
+    record.exit_code.reset();
+    write_record(folder, record);
+  }
+  for (const std::string& name : record.folders) remove_run_below(folder / name);
+  std::error_code error;
+  for (const std::string& name : record.files) remove_file(folder / name, error);
+  for (const fs::path& leftover : leftovers)
+    if (!error) fs::remove_all(folder / leftover, error);
+  if (error)
+    throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", folder.string(), error.message()));
+  if (holds_nothing_else(folder))
+    fs::remove(folder / record_name, error);
+  else
+    write_record(folder, {});
+}
+
 }  // namespace
 
 void RunRecord::add_file(const std::string& name) { add(files, name); }
@@ -98,24 +117,9 @@ void add_to_record(const fs::path& file) {
   write_record(file.parent_path(), *record);
 }
 
-void clear_run(const fs::path& folder) {
-  RunRecord record = read_record(folder).value_or(RunRecord());
-  if (record.exit_code) {  // from here on it is no finished run
-    record.exit_code.reset();
-    write_record(folder, record);
-  }
-  for (const std::string& name : record.folders) remove_run_below(folder / name);
-  std::error_code error;
-  for (const std::string& name : record.files) remove_file(folder / name, error);
-  for (const fs::path& leftover :
-       {fs::path("work") / "case.json", fs::path("work")})  // without its case none resumes it
-    if (!error) fs::remove_all(folder / leftover, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", folder.string(), error.message()));
-  if (holds_nothing_else(folder))
-    fs::remove(folder / record_name, error);
-  else
-    write_record(folder, {});
-}
+// Without its case none resumes it.
+void clear_run(const fs::path& folder) { clear(folder, {fs::path("work") / "case.json", fs::path("work")}); }
+
+void clear_documents(const fs::path& folder) { clear(folder, {}); }
 
 }  // namespace validate

@@ -34,4 +34,7 @@ void add_to_record(const std::filesystem::path& file);
 /// everything that is still there in the record. Throws Error (file failed).
 void clear_run(const std::filesystem::path& folder);
 
+/// The same of a folder that is no run's: a `work` in it is the user's.
+void clear_documents(const std::filesystem::path& folder);
+
 }  // namespace validate

@@ -43,6 +43,25 @@ TEST(FitCommand, FindsTheTruthOfTheShippedCurves) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 
+TEST(FitCommand, OverwriteTakesTheFilesOfTheFitBefore) {
+  const WorkFolder folder;
+  const auto fit = [&](const char* curve, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"fit", measured + curve, "--bootstrap", "0", "--out", "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_validate(words, folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  const auto there = [&](const char* name) { return std::filesystem::exists(folder.path() / "out" / name); };
+  fit("synthetic-034.csv");
+  std::ofstream(folder.path() / "out" / "mine.csv") << "mine";
+  fit("synthetic-007.csv");
+  EXPECT_TRUE(there("fit-synthetic-034.csv") && there("fit-synthetic-007.csv"));
+  fit("synthetic-007.csv", {"--overwrite"});
+  EXPECT_FALSE(there("fit-synthetic-034.csv"));
+  EXPECT_TRUE(there("fit-synthetic-007.csv") && there("fit.json") && there("mine.csv"));
+  EXPECT_FALSE(there(".validate-work"));
+}
+
 TEST(FitCommand, EveryShippedCurveNamesItsSourceAndCanBeFitted) {
   const WorkFolder folder;
   int curves = 0;
