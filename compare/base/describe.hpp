@@ -1,15 +1,13 @@
 // One description per struct: name, unit, meaning and range of each member, visited by whatever reads or writes it:
 // TOML, flags, --help, range errors, HDF5 (both ways), CSV, JSON and its schemas. A struct takes part through
 //
-//   template <class Self, class Visitor>
-//   requires SameStruct<Self, Case>
-//   void describe(Self& self, Visitor&& visit) {
+//   void describe(SameStruct<Case> auto& self, auto&& visit) {
 //     visit(Field{.name = "radius", .unit = unit::length, .meaning = "…", .range = positive()}, self.radius_A);
 //     visit(Column{"depth", unit::length, "…"}, self.depth_A);
 //     visit(Field{"fit", {}, "…"}, self.fit);
 //   }
 //
-// so the same function serves reading (Self = Case) and writing (Self = const Case). A member is a value (number, truth
+// so the same function serves reading (a Case) and writing (a const Case). A member is a value (number, truth
 // value, text, enumerator with words), a list of values, a column, a described struct, an optional one, a list of them,
 // or a variant of them, whose members then stand among those of the struct that holds it.
 #pragma once

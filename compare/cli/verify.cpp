@@ -23,7 +23,6 @@ namespace validate {
 namespace {
 
 using verify::Group;
-using verify::Row;
 
 struct VerifyFlags {
   std::string what;
@@ -52,13 +51,15 @@ std::vector<Group> chosen(const VerifyFlags& flags) {
   return result;
 }
 
-std::vector<Row> rows_of(const std::vector<Group>& groups, Progress& progress) {
-  std::vector<Row> rows;
+std::vector<VerificationRow> rows_of(const std::vector<Group>& groups, Progress& progress) {
+  std::vector<VerificationRow> rows;
   for (const Group& group : groups) {
-    const auto on_row = [&](const Row& row) { progress.status(fmt::format("{}: {}", row.group, row.name)); };
+    const auto on_row = [&](const VerificationRow& row) {
+      progress.status(fmt::format("{}: {}", row.group, row.name));
+    };
     const double start = progress.elapsed_s();
     const auto found = verify::run(group, on_row);
-    const auto failed = std::ranges::count_if(found, [](const Row& row) { return !verify::passes(row); });
+    const auto failed = std::ranges::count_if(found, [](const VerificationRow& row) { return !row.pass; });
     progress.say(fmt::format("{}: {} rows, {} failed, {:.1f} s", group.name, found.size(), failed,
                              progress.elapsed_s() - start));
     rows.insert(rows.end(), found.begin(), found.end());
@@ -66,25 +67,24 @@ std::vector<Row> rows_of(const std::vector<Group>& groups, Progress& progress) {
   return rows;
 }
 
-void write_files(const VerifyFlags& flags, const std::vector<Row>& rows, const std::string& json, int exit_code) {
+void write_files(const VerifyFlags& flags, const Result& result, const std::string& json) {
   if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
   if (!flags.output.out) return;
   OutputFolder folder(*flags.output.out, flags.output.overwrite);
-  write_file(folder.drafts() / "verify.csv", verify::table_csv(rows));
+  write_file(folder.drafts() / "verify.csv", verification_csv(result.rows));
   write_file(folder.drafts() / "verify.json", json);
-  folder.finish(exit_code);
+  folder.finish(result.exit_code);
 }
 
 /// Exit code 3 where a row fails.
 int verify_command(const VerifyFlags& flags) {
   const std::vector<Group> groups = chosen(flags);
   Progress progress(flags.quiet);
-  const std::vector<Row> rows = rows_of(groups, progress);
-  Result result = verify::verification_result(rows);
+  Result result = verification_result(rows_of(groups, progress));
   result.provenance = provenance(command_line());
   const std::string json = json_text(result);
-  write_files(flags, rows, json, result.exit_code);
-  fmt::print("{}", flags.json == "-" ? json : verify::table_text(rows));
+  write_files(flags, result, json);
+  fmt::print("{}", flags.json == "-" ? json : verification_text(result.rows));
   return result.exit_code;
 }
 

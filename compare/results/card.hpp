@@ -19,9 +19,7 @@ struct PotentialSummary {
   double artefact_bond_A = not_known;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, PotentialSummary>
-void describe(Self& potential, Visitor&& visit) {
+void describe(SameStruct<PotentialSummary> auto& potential, auto&& visit) {
   visit(Field{"name", unit::none, "name of the potential"}, potential.name);
   visit(Field{"description", unit::none, "what it is"}, potential.description);
   visit(Field{"citation", unit::none, "where it was published"}, potential.citation);
@@ -46,9 +44,7 @@ struct CardSummary {
   std::string lammps;                  ///< release that computed it
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, CardSummary>
-void describe(Self& card, Visitor&& visit) {
+void describe(SameStruct<CardSummary> auto& card, auto&& visit) {
   visit(Field{"a0", unit::length, "lattice constant"}, card.a0_A);
   visit(Field{"energy_per_atom", unit::energy, "energy per atom of the flat sheet"}, card.energy_per_atom_eV);
   visit(Field{"C11", unit::membrane_force, "elastic constant"}, card.C11_eV_per_A2);
@@ -77,9 +73,7 @@ struct StressCurve {
   std::vector<double> strain, lateral_strain, stress_eV_per_A2, longest_bond_A;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, StressCurve>
-void describe(Self& curve, Visitor&& visit) {
+void describe(SameStruct<StressCurve> auto& curve, auto&& visit) {
   visit(Field{"direction", unit::none, "zigzag, armchair (uniaxial stress) or equibiaxial"}, curve.direction);
   visit(Field{"secant_at_2_percent", unit::membrane_force, "stress over strain at 2 %"}, curve.secant_2_eV_per_A2);
   visit(Field{"secant_at_5_percent", unit::membrane_force, "stress over strain at 5 %"}, curve.secant_5_eV_per_A2);
@@ -102,9 +96,7 @@ struct StrainStates {
   std::vector<bool> converged;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, StrainStates>
-void describe(Self& states, Visitor&& visit) {
+void describe(SameStruct<StrainStates> auto& states, auto&& visit) {
   visit(Column{"E11", unit::none, "Green-Lagrange strain"}, states.E11);
   visit(Column{"E22", unit::none, "Green-Lagrange strain"}, states.E22);
   visit(Column{"E12", unit::none, "Green-Lagrange strain"}, states.E12);
@@ -126,9 +118,7 @@ struct BondTerms {
   std::vector<double> coefficient_A;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, BondTerms>
-void describe(Self& bond, Visitor&& visit) {
+void describe(SameStruct<BondTerms> auto& bond, auto&& visit) {
   visit(Field{"rest", unit::length, "of the sheet at rest"}, bond.rest_A);
   visit(Field{"worst_misfit", unit::length, "largest error over the states"}, bond.worst_misfit_A);
   visit(Column{"power_of_I", unit::none, "a; I = E1 + E2, Green-Lagrange"}, bond.power_of_I);
@@ -154,9 +144,7 @@ struct LawSummary {
   BondTerms bond;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, LawSummary>
-void describe(Self& law, Visitor&& visit) {
+void describe(SameStruct<LawSummary> auto& law, auto&& visit) {
   visit(Field{"degree", unit::none, "of the energy in the strain"}, law.degree);
   visit(Field{"states_fitted", unit::none, "homogeneous strains that the terms are fitted to"}, law.states_fitted);
   visit(Field{"condition_number", unit::none, "of that fit"}, law.condition_number);
@@ -189,9 +177,7 @@ struct LawForm {
   std::string compared_with;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, LawForm>
-void describe(Self& form, Visitor&& visit) {
+void describe(SameStruct<LawForm> auto& form, auto&& visit) {
   visit(Field{"name", unit::none, "degree of the polynomial, table or sixfold"}, form.name);
   visit(Field{"coefficients", unit::none, "how many"}, form.coefficients);
   visit(Field{"rms_misfit", unit::none, "of the stress, relative"}, form.rms_misfit);

@@ -1,10 +1,12 @@
 // Numbers beside their references: those of the paper's figures, and the rows of a verification.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "compare/base/describe.hpp"
+#include "compare/base/words.hpp"
 #include "compare/results/known.hpp"
 
 namespace validate {
@@ -17,9 +19,7 @@ struct FigureNumber {
   std::string comment;   ///< where they differ, why
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, FigureNumber>
-void describe(Self& number, Visitor&& visit) {
+void describe(SameStruct<FigureNumber> auto& number, auto&& visit) {
   visit(Field{"what", unit::none, "quantity and case"}, number.what);
   visit(Field{"unit", unit::none, "of both numbers"}, number.unit);
   visit(Field{"ours", unit::none, "computed here"}, number.ours);
@@ -40,30 +40,33 @@ struct FigureResult {
   std::vector<std::string> remarks;  ///< what the numbers alone do not say
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, FigureResult>
-void describe(Self& figure, Visitor&& visit) {
+void describe(SameStruct<FigureResult> auto& figure, auto&& visit) {
   visit(Field{"number", unit::none, "of the figure in the paper"}, figure.number);
   visit(Field{"title", unit::none, "what it shows"}, figure.title);
   visit(Field{"numbers", unit::none, "ours beside the reference"}, figure.numbers);
   visit(Field{"remarks", unit::none, "what the numbers alone do not say"}, figure.remarks);
 }
 
+/// What a computed value owes to its reference.
+enum class Relation { equal, at_most, at_least };
+constexpr auto words(Relation) {
+  return std::array{Word{Relation::equal, "="}, Word{Relation::at_most, "<="}, Word{Relation::at_least, ">="}};
+}
+
 /// One line of `validate verify`.
 struct VerificationRow {
-  std::string group, name, quantity;
+  std::string group, name, quantity;  ///< the name is that of the case
   double computed = not_known;
-  std::string relation;  ///< =, <= or >=
+  Relation relation = Relation::equal;
   double reference = not_known;
-  std::string origin;
-  double relative_error = not_known, tolerance = not_known;
+  std::string origin;                 ///< of the reference: a formula, a publication or an independent solver
+  double relative_error = not_known;  ///< absolute where the reference is 0
+  double tolerance = not_known;
   bool pass = false;
-  std::string note;
+  std::string note;  ///< mesh, order of convergence, what the tolerance comes from
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, VerificationRow>
-void describe(Self& row, Visitor&& visit) {
+void describe(SameStruct<VerificationRow> auto& row, auto&& visit) {
   visit(Field{"group", unit::none, "group of the row"}, row.group);
   visit(Field{"case", unit::none, "what is computed"}, row.name);
   visit(Field{"quantity", unit::none, "of it"}, row.quantity);

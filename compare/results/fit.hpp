@@ -22,9 +22,7 @@ struct FitBias {
   double Eh_corrected_eV_per_A2 = 0, pretension_corrected_eV_per_A2 = 0;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, FitBias>
-void describe(Self& bias, Visitor&& visit) {
+void describe(SameStruct<FitBias> auto& bias, auto&& visit) {
   visit(Field{"Eh_true", unit::membrane_force, "sheet modulus of the membrane"}, bias.Eh_true_eV_per_A2);
   visit(Field{"Eh_read", unit::membrane_force, "what the fit reads from that membrane"}, bias.Eh_read_eV_per_A2);
   visit(Field{"pretension_true", unit::membrane_force, "pretension of the membrane"}, bias.pretension_true_eV_per_A2);
@@ -63,9 +61,7 @@ struct Fit {
   std::vector<std::string> warnings;  ///< what a careful reader would say of this fit
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Fit>
-void describe(Self& fit, Visitor&& visit) {
+void describe(SameStruct<Fit> auto& fit, auto&& visit) {
   visit(Field{"model", unit::none, "closed form by its name; membrane, third-order or sheet: that continuum itself"},
         fit.model);
   visit(Field{"Eh", unit::membrane_force, "fitted sheet modulus"}, fit.Eh_eV_per_A2);
@@ -127,9 +123,7 @@ struct WindowScan {
   std::vector<double> depth_max_A, Eh_eV_per_A2, pretension_eV_per_A2;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, WindowScan>
-void describe(Self& scan, Visitor&& visit) {
+void describe(SameStruct<WindowScan> auto& scan, auto&& visit) {
   visit(Column{"depth_max", unit::length, "largest depth fitted"}, scan.depth_max_A);
   visit(Column{"Eh", unit::membrane_force, "sheet modulus of that fit"}, scan.Eh_eV_per_A2);
   visit(Column{"pretension", unit::membrane_force, "pretension of that fit"}, scan.pretension_eV_per_A2);

@@ -32,9 +32,7 @@ struct FittedCurve {
   WindowScan scan;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, FittedCurve>
-void describe(Self& curve, Visitor&& visit) {
+void describe(SameStruct<FittedCurve> auto& curve, auto&& visit) {
   visit(Field{"file", unit::none, "the file that was read"}, curve.file);
   visit(Field{"model", unit::none, "closed form that was fitted"}, curve.model);
   visit(Field{"radius", unit::length, "of the suspended sheet"}, curve.radius_A);

@@ -20,9 +20,7 @@ struct Timing {
   std::optional<long> force_calls;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Timing>
-void describe(Self& timing, Visitor&& visit) {
+void describe(SameStruct<Timing> auto& timing, auto&& visit) {
   visit(Field{"wall", unit::second, "whole command"}, timing.wall_s);
   visit(Field{"membrane", unit::second, "membrane runs"}, timing.membrane_s);
   visit(Field{"atomistic", unit::second, "atomistic curves, without the card"}, timing.atomistic_s);
@@ -39,9 +37,7 @@ struct Provenance {
   std::string potential_file, potential_sha256, potential_edit, command_line;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Provenance>
-void describe(Self& provenance, Visitor&& visit) {
+void describe(SameStruct<Provenance> auto& provenance, auto&& visit) {
   visit(Field{"version", unit::none, "version of validate"}, provenance.version);
   visit(Field{"git", unit::none, "git revision of the sources"}, provenance.git);
   visit(Field{"lammps", unit::none, "LAMMPS version"}, provenance.lammps);

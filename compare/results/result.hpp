@@ -39,9 +39,7 @@ struct SheetSummary {
   int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, SheetSummary>
-void describe(Self& sheet, Visitor&& visit) {
+void describe(SameStruct<SheetSummary> auto& sheet, auto&& visit) {
   visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);
   visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"}, sheet.effective_radius_A);
   visit(Field{"atoms", unit::none, "atoms, clamped ring included", positive()}, sheet.atoms);
@@ -60,9 +58,7 @@ struct CaseOutcome {
   std::shared_ptr<const Result> summary;  ///< null where it failed before there was one
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, CaseOutcome>
-void describe(Self& one, Visitor&& visit) {
+void describe(SameStruct<CaseOutcome> auto& one, auto&& visit) {
   visit(Field{"potential", unit::none, "potential of the case"}, one.potential);
   visit(Field{"radius", unit::length, "radius of the case"}, one.radius_A);
   visit(Field{"folder", unit::none, "of the case, below the batch's"}, one.folder);
@@ -143,9 +139,7 @@ void describe_potential(Self& r, Visitor&& visit) {
 }  // namespace detail
 
 /// What a document of the command holds.
-template <class Self, class Visitor>
-requires SameStruct<Self, Result>
-void describe(Self& r, Visitor&& visit) {
+void describe(SameStruct<Result> auto& r, auto&& visit) {
   visit(Field{"schema", unit::none, "number of the documents' form"}, r.schema);
   visit(Field{"command", unit::none, "of the program"}, r.command);
   visit(Field{"exit_code", unit::none, "as the program ended"}, r.exit_code);

@@ -48,9 +48,7 @@ struct ContactSensitivity {
   double deepest_penetration_A = not_known;                 ///< of an atom into the sphere
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, ContactSensitivity>
-void describe(Self& contact, Visitor&& visit) {
+void describe(SameStruct<ContactSensitivity> auto& contact, auto&& visit) {
   visit(Field{"force_change_relative", unit::none, "force at equal travel, contact four times stiffer"},
         contact.force_change_relative);
   visit(Field{"depth_change", unit::length, "depth of record at equal travel"}, contact.depth_change_A);
@@ -65,9 +63,7 @@ struct CrossSection {
   std::vector<double> x_A, z_A;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, CrossSection>
-void describe(Self& section, Visitor&& visit) {
+void describe(SameStruct<CrossSection> auto& section, auto&& visit) {
   visit(Column{"x", unit::length, "place along a line through the centre"}, section.x_A);
   visit(Column{"z", unit::length, "height there; the load presses down"}, section.z_A);
 }
@@ -80,9 +76,7 @@ struct AtomsPart {
   std::optional<ContactSensitivity> contact;  ///< for a sphere
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, AtomsPart>
-void describe(Self& part, Visitor&& visit) {
+void describe(SameStruct<AtomsPart> auto& part, auto&& visit) {
   visit(Column{"artefact", unit::none, "longest bond in the potential's switching range"}, part.artefact);
   visit(Column{"max_force", unit::force, "largest force left on a free atom"}, part.max_force_eV_per_A);
   visit(Column{"balance_relative", unit::none, "the load plus the rim's reaction, over the load"},
@@ -106,9 +100,7 @@ struct ContinuumPart {
   std::shared_ptr<const std::vector<SheetPicture>> pictures;  ///< the solved triangles at the last depth, or every one
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, ContinuumPart>
-void describe(Self& part, Visitor&& visit) {
+void describe(SameStruct<ContinuumPart> auto& part, auto&& visit) {
   visit(Field{"triangles", unit::none, "triangles of the mesh; 0: solved in one dimension"}, part.triangles);
   visit(Field{"factorisations", unit::none, "of the Hessian, all depths; 0 where they are not counted"},
         part.factorisations);

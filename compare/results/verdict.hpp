@@ -20,9 +20,7 @@ struct JudgedRatio {
   double depth_A = not_known, ratio = not_known;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, JudgedRatio>
-void describe(Self& judged, Visitor&& visit) {
+void describe(SameStruct<JudgedRatio> auto& judged, auto&& visit) {
   visit(Field{"depth", unit::length, "atoms' depth of record"}, judged.depth_A);
   visit(Field{"ratio", unit::none, "F_atoms / F_continuum at that depth"}, judged.ratio);
 }
@@ -36,9 +34,7 @@ struct Agreement {
   std::vector<JudgedRatio> ratios;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Agreement>
-void describe(Self& agreement, Visitor&& visit) {
+void describe(SameStruct<Agreement> auto& agreement, auto&& visit) {
   visit(Field{"outcome", unit::none, "agree: within the tolerance at every depth judged"}, agreement.outcome);
   visit(Field{"load", unit::none, "load judged"}, agreement.load);
   visit(Field{"against", unit::none, "model of the continuum that the atoms are compared with"}, agreement.against);
@@ -71,9 +67,7 @@ struct Comparison {
   double predicted_artefact_from_A = not_known;  ///< by the calibrated sheet's strains
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Comparison>
-void describe(Self& comparison, Visitor&& visit) {
+void describe(SameStruct<Comparison> auto& comparison, auto&& visit) {
   visit(Field{"load", unit::none, "load of both curves"}, comparison.load);
   visit(Field{"bending_to", unit::length, "up to this depth the force ratio is above 1 + tolerance"},
         comparison.bending_to_A);
@@ -110,9 +104,7 @@ struct Explanation {
   std::vector<double> remainder;     ///< what no continuum here has
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Explanation>
-void describe(Self& explanation, Visitor&& visit) {
+void describe(SameStruct<Explanation> auto& explanation, auto&& visit) {
   visit(Field{"load", unit::none, "load explained"}, explanation.load);
   visit(Column{"depth", unit::length, "depth of record"}, explanation.depth_A);
   visit(Column{"depth_relative", unit::none, "the same over the effective radius"}, explanation.depth_relative);
@@ -132,9 +124,7 @@ struct Unloading {
   std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A;
 };
 
-template <class Self, class Visitor>
-requires SameStruct<Self, Unloading>
-void describe(Self& unloading, Visitor&& visit) {
+void describe(SameStruct<Unloading> auto& unloading, auto&& visit) {
   visit(Field{"load", unit::none, "name of the load"}, unloading.load);
   visit(Field{"hysteresis_relative", unit::none, "work lost there and back, over the work put in"},
         unloading.hysteresis_relative);

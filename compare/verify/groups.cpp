@@ -22,7 +22,7 @@ constexpr std::array all = {
 
 std::span<const Group> groups() { return all; }
 
-std::vector<Row> run(const Group& group, const OnRow& on_row) {
+std::vector<VerificationRow> run(const Group& group, const OnRow& on_row) {
   Ledger ledger(std::string(group.name), on_row);
   try {
     group.run(ledger);

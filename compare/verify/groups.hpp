@@ -27,6 +27,6 @@ struct Group {
 std::span<const Group> groups();
 
 /// The rows of a group. A case that does not converge ends its group with a failing row that says why.
-std::vector<Row> run(const Group& group, const OnRow& on_row);
+std::vector<VerificationRow> run(const Group& group, const OnRow& on_row);
 
 }  // namespace validate::verify

@@ -8,23 +8,28 @@
 
 namespace validate::verify {
 
-void Ledger::add(Row row) {
-  row.group = group_;
-  row.name = name_;
-  rows_.push_back(std::move(row));
+void Ledger::add(std::string quantity, double computed, Relation relation, Reference reference, double tolerance,
+                 std::string note) {
+  const double size = reference.value == 0 ? 1 : std::abs(reference.value), over = computed - reference.value;
+  const double error = std::abs(over) / size, slack = tolerance * size;
+  const bool pass = relation == Relation::equal     ? error <= tolerance
+                    : relation == Relation::at_most ? over <= slack
+                                                    : over >= -slack;
+  rows_.push_back({group_, name_, std::move(quantity), computed, relation, reference.value, std::move(reference.origin),
+                   error, tolerance, pass, std::move(note)});
   on_row_(rows_.back());
 }
 
 void Ledger::equal(std::string quantity, double computed, Reference reference, double tolerance, std::string note) {
-  add({{}, {}, std::move(quantity), computed, std::move(reference), Relation::equal, tolerance, std::move(note)});
+  add(std::move(quantity), computed, Relation::equal, std::move(reference), tolerance, std::move(note));
 }
 
 void Ledger::at_most(std::string quantity, double computed, Reference bound, std::string note) {
-  add({{}, {}, std::move(quantity), computed, std::move(bound), Relation::at_most, 0, std::move(note)});
+  add(std::move(quantity), computed, Relation::at_most, std::move(bound), 0, std::move(note));
 }
 
 void Ledger::at_least(std::string quantity, double computed, Reference bound, std::string note) {
-  add({{}, {}, std::move(quantity), computed, std::move(bound), Relation::at_least, 0, std::move(note)});
+  add(std::move(quantity), computed, Relation::at_least, std::move(bound), 0, std::move(note));
 }
 
 void Ledger::converging(const std::string& quantity, const MeshPair& values, const Reference& reference, double order,

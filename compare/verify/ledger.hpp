@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "compare/results/checks.hpp"
 #include "compare/verify/reference.hpp"
-#include "compare/verify/row.hpp"
 
 namespace validate::verify {
 
-using OnRow = std::function<void(const Row&)>;
+using OnRow = std::function<void(const VerificationRow&)>;
 
 /// A quantity on a mesh and on a finer one.
 struct MeshPair {
@@ -37,14 +37,16 @@ class Ledger {
   void converging(const std::string& quantity, const MeshPair& values, const Reference& reference, double order,
                   double most);
 
-  const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<VerificationRow>& rows() const { return rows_; }
 
  private:
-  void add(Row row);
+  /// Not a number never passes.
+  void add(std::string quantity, double computed, Relation relation, Reference reference, double tolerance,
+           std::string note);
 
   std::string group_, name_;
   OnRow on_row_;
-  std::vector<Row> rows_;
+  std::vector<VerificationRow> rows_;
 };
 
 }  // namespace validate::verify

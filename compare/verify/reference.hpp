@@ -5,9 +5,14 @@
 #include <string_view>
 
 #include "compare/verify/reference_numbers.hpp"
-#include "compare/verify/row.hpp"
 
 namespace validate::verify {
+
+/// A number with its origin.
+struct Reference {
+  double value = 0;
+  std::string origin;
+};
 
 /// A formula evaluated here; the text is the formula, with its source.
 inline Reference closed_form(double value, std::string_view formula) {

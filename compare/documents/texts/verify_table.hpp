@@ -5,18 +5,17 @@
 #include <vector>
 
 #include "compare/results/result.hpp"
-#include "compare/verify/row.hpp"
 
-namespace validate::verify {
+namespace validate {
 
 /// One line a row: verdict, case, quantity, computed, reference, relative error, tolerance, origin.
-std::string table_text(const std::vector<Row>& rows);
+std::string verification_text(const std::vector<VerificationRow>& rows);
 
 /// Header group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note; texts in
 /// quotes.
-std::string table_csv(const std::vector<Row>& rows);
+std::string verification_csv(const std::vector<VerificationRow>& rows);
 
 /// The rows in the result tree, with the exit code that they mean.
-Result verification_result(const std::vector<Row>& rows);
+Result verification_result(std::vector<VerificationRow> rows);
 
-}  // namespace validate::verify
+}  // namespace validate
