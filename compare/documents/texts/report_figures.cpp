@@ -71,31 +71,25 @@ Plot sheets_from_above(const Result& result, const std::filesystem::path& run_fo
 
 std::vector<Drawing> experiment_drawings(const Result& result, const std::filesystem::path& run_folder) {
   return {
-      {{.content = {},
-        .title = "force against depth",
+      {{.title = "force against depth",
         .caption =
             "Force against depth: atoms as markers (open in the artefact zone), the calibrated sheet as thick lines, "
             "membranes thin (dashed: the paper's constants), Eq. 16 black."},
        force_depth_plot(result)},
-      {{.content = {},
-        .title = "the sheet from above",
-        .caption = "The deepest sheet from above: the atoms' longest bonds, and the membrane's larger "
-                   "principal Cauchy "
+      {{.title = "the sheet from above",
+        .caption = "The deepest sheet from above: the atoms' longest bonds, and the membrane's larger principal Cauchy "
                    "force (stress times thickness) under the same load.",
         .png = true},
        sheets_from_above(result, run_folder)},
-      {{.content = {},
-        .title = "atoms over membrane",
+      {{.title = "atoms over membrane",
         .caption = "The atoms' force over that of each continuum at equal depth (open: artefact zone). Green: the "
                    "tolerance; dotted: the judged window."},
        ratio_plot(result)},
-      {{.content = {},
-        .title = "what a plain membrane lacks",
+      {{.title = "what a plain membrane lacks",
         .caption = "From a plain membrane (the paper's law with the card's constants, nominal radii) to the atoms, in "
                    "per cent of its force at the same depth: bars add up to the atoms' (squares)."},
        explanation_plot(result)},
-      {{.content = {},
-        .title = "fits against the window",
+      {{.title = "fits against the window",
         .caption = "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A result "
                    "that moves with "
                    "the window is not one number."},
@@ -108,13 +102,11 @@ std::vector<Drawing> pressed_drawings(const Result& result) {
   for (const Run& run : result.runs)
     if (run.load == LoadKind::pressure && run.model == Model::membrane && run.continuum().pictures &&
         !run.continuum().pictures->empty())
-      drawings.push_back({{.content = {},
-                           .title = "the membrane from above",
+      drawings.push_back({{.title = "the membrane from above",
                            .caption = "Principal Cauchy stresses and states of the membrane under the last pressure.",
                            .png = true},
                           sheet_plot(run.continuum().pictures->back())});
-  drawings.push_back({{.content = {},
-                       .title = "atoms beside the membrane",
+  drawings.push_back({{.title = "atoms beside the membrane",
                        .caption = "Depth against pressure, and both cross-sections under the last one."},
                       pressed_atoms_plot(result)});
   return drawings;
@@ -131,11 +123,10 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
       return all;
     case Command::fit:
       for (const FittedCurve& curve : result.curves)
-        all.push_back({{.content = {}, .title = curve.file, .caption = curve.file}, measured_plot(curve)});
+        all.push_back({{.title = curve.file, .caption = curve.file}, measured_plot(curve)});
       return all;
     case Command::potential:
-      return {{{.content = {}, .title = "stress and strain", .caption = "Homogeneous strain at T = 0."},
-               stress_strain_plot(result)}};
+      return {{{.title = "stress and strain", .caption = "Homogeneous strain at T = 0."}, stress_strain_plot(result)}};
     case Command::figure:
     case Command::verify:
     case Command::batch:

@@ -11,7 +11,7 @@ namespace validate {
 
 /// A drawing for the page, as gnuplot wrote it: SVG text, or the bytes of a PNG where there are too many points.
 struct ReportFigure {
-  std::string content, title, caption;
+  std::string title, caption, content = {};
   bool png = false;
 };
 

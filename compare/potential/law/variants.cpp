@@ -71,6 +71,16 @@ std::vector<double> probe_depths() {
   return depths;
 }
 
+/// Forces at the levels, up to the first that is not reached.
+std::vector<double> forces_of(const membrane::Problem& problem) {
+  std::vector<double> forces;
+  membrane::solve(problem, [&](const membrane::Step& step) {
+    if (step.converged) forces.push_back(step.force_eV_per_A);
+    return step.converged;
+  });
+  return forces;
+}
+
 std::vector<double> sheet_forces(const membrane::Law& law, double bending_eV) {
   membrane::Problem problem;
   problem.discretisation = membrane::Meridian{};
@@ -80,12 +90,7 @@ std::vector<double> sheet_forces(const membrane::Law& law, double bending_eV) {
   problem.bending = membrane::clamped_all_round_if_any(bending_eV);
   problem.load = membrane::DiscLoad{probe_tip_A};
   problem.levels = probe_depths();
-  std::vector<double> forces;
-  membrane::solve(problem, [&](const membrane::Step& step) {
-    if (step.converged) forces.push_back(step.force_eV_per_A);
-    return step.converged;
-  });
-  return forces;
+  return forces_of(problem);
 }
 
 double largest_difference(const std::vector<double>& one, const std::vector<double>& other) {
@@ -104,12 +109,7 @@ std::vector<double> triangle_forces(const membrane::Law& law, double radius_A, d
   problem.relaxed = false;
   problem.load = membrane::DiscLoad{tip_A};
   problem.levels = depths_A;
-  std::vector<double> forces;
-  membrane::solve(problem, [&](const membrane::Step& step) {
-    if (step.converged) forces.push_back(step.force_eV_per_A);
-    return step.converged;
-  });
-  return forces;
+  return forces_of(problem);
 }
 
 /// The state's axes are turned from zigzag.
