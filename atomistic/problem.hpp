@@ -29,6 +29,8 @@ struct Card {
   double bending_modulus_zigzag_eV = 0, bending_modulus_armchair_eV = 0;
   double sublattice_stiffness_eV_per_A2 = 0;  ///< out of plane, per atom, one sublattice moved against the other
   double bond_softening = 0;                  ///< s in the bond stiffness k (1 − s ε) under equibiaxial strain ε
+  double clamp_margin_bonds = 0;  ///< displacements end this far beyond the free atoms' area (cell/clamp_margins.hpp)
+  double slope_margin_bonds = 0;  ///< where they do the slope is this length times the curvature
 
   double bond_A() const { return a0_A / 1.7320508075688772; }
   double area_per_atom_A2() const { return 0.4330127018922193 * a0_A * a0_A; }

@@ -37,6 +37,12 @@ struct StressCurve {
   std::optional<double> artefact_strain;  ///< where the longest bond reaches the potential's artefact length
 };
 
+/// What LAMMPS says of a set of atoms at given positions.
+struct AtomForces {
+  double energy_eV = 0;
+  Eigen::VectorXd forces_eV_per_A;  ///< 3N, atom by atom
+};
+
 struct Response {
   std::vector<StressCurve> curves;
   std::vector<HomogeneousState> states;

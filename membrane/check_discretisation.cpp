@@ -57,6 +57,8 @@ struct CheckOn {
   const Problem& problem;
 
   void operator()(const Triangles& triangles) const {
+    if (const auto* disc = std::get_if<DiscSheet>(&problem.sheet); disc && disc->slope_margin_A != 0)
+      refuse("sheet.slope_margin_A", disc->slope_margin_A, "is of a meridian: clamped triangles do not turn");
     if (!(triangles.relative_residual > 0))
       refuse("discretisation.relative_residual", triangles.relative_residual, "must be positive");
     if (triangles.most_iterations < 1)
@@ -73,7 +75,10 @@ struct CheckOn {
     const Eigen::Matrix2d& p = problem.prestress_eV_per_A2;
     if (p(0, 0) != p(1, 1) || p(0, 1) != 0)
       refuse("prestress_eV_per_A2", p.reshaped().transpose(), "must be the same all round on a meridian");
-    if (problem.bending && std::get<DiscSheet>(problem.sheet).rim != Support::clamped)
+    const DiscSheet& disc = std::get<DiscSheet>(problem.sheet);
+    if (!problem.bending && disc.slope_margin_A != 0)
+      refuse("sheet.slope_margin_A", disc.slope_margin_A, "is of a sheet that bends: a membrane has no slope to hold");
+    if (problem.bending && disc.rim != Support::clamped)
       refuse("sheet.rim", "sliding",
              "must be clamped on a meridian that bends: it has no Gaussian term, which counts where a rim may turn");
     std::visit(LoadOnMeridian{problem}, action_of(problem.load));

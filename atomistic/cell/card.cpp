@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "atomistic/cell/clamp_margins.hpp"
 #include "atomistic/cell/homogeneous_cell.hpp"
 #include "atomistic/lammps/lammps.hpp"
 
@@ -131,6 +132,9 @@ Card compute_card(const Potential& potential, const std::string& log_file) {
   if (!(card.C11_eV_per_A2 > std::abs(card.C12_eV_per_A2) && card.bending_modulus_eV() > 0 &&
         card.sublattice_stiffness_eV_per_A2 > 0))
     throw std::runtime_error("the flat sheet is not stable with this potential");
+  const ClampMargins margins = clamp_margins(potential, card, log_file);
+  card.clamp_margin_bonds = margins.clamp_bonds;
+  card.slope_margin_bonds = margins.slope_bonds;
   return card;
 }
 

@@ -17,12 +17,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StepEvent, level, file)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndEvent, report)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ResponseEvent, response)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorEvent, message, fault)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForcesEvent, states)
 
 namespace {
 
 /// In the order of the variant's alternatives.
 constexpr std::array<std::string_view, std::variant_size_v<Event>> names = {"start", "card", "response", "progress",
-                                                                            "step",  "end",  "error"};
+                                                                            "step",  "end",  "error",    "forces"};
 
 template <std::size_t index = 0>
 Event read_alternative(std::string_view name, const nlohmann::json& j) {

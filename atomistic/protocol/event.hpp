@@ -3,6 +3,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
@@ -21,6 +22,11 @@ struct CardEvent {
 
 struct ResponseEvent {
   Response response;
+};
+
+/// One for each of the positions asked for, in their order.
+struct ForcesEvent {
+  std::vector<AtomForces> states;
 };
 
 struct ProgressEvent {
@@ -49,7 +55,8 @@ struct ErrorEvent {
   Fault fault = Fault::program;
 };
 
-using Event = std::variant<StartEvent, CardEvent, ResponseEvent, ProgressEvent, StepEvent, EndEvent, ErrorEvent>;
+using Event =
+    std::variant<StartEvent, CardEvent, ResponseEvent, ProgressEvent, StepEvent, EndEvent, ErrorEvent, ForcesEvent>;
 
 std::string to_line(const Event& event);  ///< without the newline
 

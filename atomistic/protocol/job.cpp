@@ -72,6 +72,18 @@ SheetForm form_from_json(const json& j) {
           .stone_wales = places_from_json(j.at("stone_wales_A"))};
 }
 
+json forces_to_json(const ForcesJob& job) {
+  json positions = json::array();
+  for (const Eigen::VectorXd& x : job.positions) positions.push_back(numbers_of(x));
+  return {{"potential", job.potential}, {"positions_A", positions}};
+}
+
+ForcesJob forces_from_json(const json& j) {
+  ForcesJob job{.potential = j.at("potential"), .positions = {}};
+  for (const json& x : j.at("positions_A")) job.positions.push_back(vector_of(x));
+  return job;
+}
+
 json problem_to_json(const Problem& p) {
   return {{"potential", p.potential},
           {"card", p.card},
@@ -118,6 +130,8 @@ void write_job(const Job& job, const std::filesystem::path& file) {
     j["curve"] = {{"problem", problem_to_json(curve->problem)}, {"steps_folder", curve->steps_folder}};
   else if (const auto* response = std::get_if<ResponseJob>(&job.work))
     j["response"] = {{"potential", response->potential}, {"card", response->card}, {"strains", response->strains}};
+  else if (const auto* forces = std::get_if<ForcesJob>(&job.work))
+    j["forces"] = forces_to_json(*forces);
   else
     j["card"] = {{"potential", std::get<CardJob>(job.work).potential}};
   std::ofstream out(file);
@@ -136,6 +150,8 @@ Job read_job(const std::filesystem::path& file) {
       job.work = CardJob{j.at("card").at("potential")};
     else if (j.contains("response"))
       job.work = ResponseJob{j["response"].at("potential"), j["response"].at("card"), j["response"].at("strains")};
+    else if (j.contains("forces"))
+      job.work = forces_from_json(j["forces"]);
     else
       job.work = CurveJob{problem_from_json(j.at("curve").at("problem")), j.at("curve").at("steps_folder")};
     return job;

@@ -21,13 +21,19 @@ struct ResponseJob {
   std::vector<StrainState> strains;
 };
 
+/// Energy and forces of an isolated set of atoms, nothing moved and nothing held.
+struct ForcesJob {
+  Potential potential;
+  std::vector<Eigen::VectorXd> positions;  ///< 3N each
+};
+
 struct CurveJob {
   Problem problem;
   std::string steps_folder;  ///< finished levels are written here, and those already here are taken over
 };
 
 struct Job {
-  std::variant<CardJob, ResponseJob, CurveJob> work;
+  std::variant<CardJob, ResponseJob, CurveJob, ForcesJob> work;
   std::string log_file;  ///< LAMMPS's log
 };
 

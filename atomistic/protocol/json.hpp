@@ -13,7 +13,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Potential, name, pair_style, pair_coeff, file
                                    artefact_bond_A, description, citation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Card, a0_A, energy_per_atom_eV, C11_eV_per_A2, C12_eV_per_A2, C66_eV_per_A2,
                                    bending_modulus_zigzag_eV, bending_modulus_armchair_eV,
-                                   sublattice_stiffness_eV_per_A2, bond_softening)
+                                   sublattice_stiffness_eV_per_A2, bond_softening, clamp_margin_bonds,
+                                   slope_margin_bonds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StrainState, E11, E22, E12, orientation_deg)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HomogeneousState, strain, S11_eV_per_A2, S22_eV_per_A2, S12_eV_per_A2,
                                    energy_eV_per_A2, longest_bond_A, shift_x_A, shift_y_A, converged)
@@ -49,6 +50,19 @@ inline void from_json(const nlohmann::json& j, StressCurve& c) {
            j.at("artefact_strain").is_null() ? std::nullopt : std::optional<double>(j["artefact_strain"])};
 }
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Response, curves, states)
+
+inline std::vector<double> numbers_of(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+inline Eigen::VectorXd vector_of(const nlohmann::json& j) {
+  const auto numbers = j.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+inline void to_json(nlohmann::json& j, const AtomForces& f) {
+  j = {{"energy_eV", f.energy_eV}, {"forces_eV_per_A", numbers_of(f.forces_eV_per_A)}};
+}
+inline void from_json(const nlohmann::json& j, AtomForces& f) {
+  f = {.energy_eV = j.at("energy_eV"), .forces_eV_per_A = vector_of(j.at("forces_eV_per_A"))};
+}
+
 NLOHMANN_JSON_SERIALIZE_ENUM(Ended, {{Ended::depth_max, "depth_max"},
                                      {Ended::artefact, "artefact"},
                                      {Ended::rupture, "rupture"},

@@ -14,6 +14,7 @@
 #include "atomistic/cell/card.hpp"
 #include "atomistic/cell/response.hpp"
 #include "atomistic/equilibrium/indentation.hpp"
+#include "atomistic/lammps/forces.hpp"
 #include "atomistic/lammps/lammps.hpp"
 #include "atomistic/protocol/event.hpp"
 #include "atomistic/protocol/job.hpp"
@@ -48,6 +49,13 @@ struct Worker {
   void operator()(const ResponseJob& job) const {
     if (session.rank() != 0) return;
     tell(ResponseEvent{compute_response(job.potential, job.card, job.strains, log_file)});
+    tell(EndEvent{});
+  }
+
+  void operator()(const ForcesJob& job) const {
+    const std::vector<AtomForces> states = compute_forces(job.potential, job.positions, log_file, session);
+    if (session.rank() != 0) return;
+    tell(ForcesEvent{states});
     tell(EndEvent{});
   }
 

@@ -117,6 +117,7 @@ ContinuumExperiment round_sheet(const Case& c, const Material& m, LoadKind load,
   if (model == Model::sheet) {
     e.problem.relaxed = false;
     e.problem.bending = membrane::clamped_all_round(card.bending_modulus_eV());
+    std::get<membrane::DiscSheet>(e.problem.sheet).slope_margin_A = m.sheet.slope_margin_A();
   }
   return e;
 }

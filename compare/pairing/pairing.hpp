@@ -74,7 +74,8 @@ struct Material {
 std::vector<PairedLoad> pair(const Case& c);
 
 /// Every load of a case with a potential: the atoms, if asked for, and the continua, if asked for.
-///   Clamp: the continuum's radius is a = R + 0.75 bond; the nominal radius where no atoms are matched.
+///   Clamp: the continuum's radius is that of the free atoms' area and a margin of the lattice's, beyond which a sheet
+///   that bends is held in its slope; the nominal radius where no atoms are matched.
 ///   Tip: a disc with the area of the loaded atoms; a rigid sphere is the same sphere.
 ///   Depth of record: at one bond from the axis, where the atoms' central hexagon is; at the centre of a continuum
 ///   alone. Constants: E·h, ν, κ from the potential's card, or its whole law. Pretension: a biaxial strain of the

@@ -40,9 +40,28 @@ atomistic::Sheet paired_sheet(const Case& c, const atomistic::Potential& potenti
   }
 }
 
-/// The slope clamp of the discrete bending energy lies this many bonds beyond the free sheet: half a bond beyond the
-/// first fixed atoms, measured on flat-disc Hessians.
-constexpr double clamp_margin_bonds = 0.75;
+/// The lattice without its defects: they take away no area.
+atomistic::Sheet whole(const Case& c, const atomistic::Potential& potential, const atomistic::Card& card,
+                       double strain) {
+  Case perfect = c;
+  perfect.vacancies_A.clear();
+  perfect.stone_wales_A.clear();
+  return paired_sheet(perfect, potential, card, strain);
+}
+
+double area_per_atom_A2(const atomistic::Sheet& sheet) {
+  return 0.75 * std::numbers::sqrt3 * sheet.bond_A * sheet.bond_A;
+}
+
+/// Half lengths of the rectangle with the free atoms' area and ratio of second moments; of a disc its radius twice.
+Eigen::Vector2d of_free_atoms(const atomistic::Sheet& sheet) {
+  const double area = sheet.free_atoms * area_per_atom_A2(sheet);
+  if (sheet.form.shape == atomistic::Shape::disc) return Eigen::Vector2d::Constant(std::sqrt(area / std::numbers::pi));
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (int i = 0; i < sheet.free_atoms; ++i) moment += sheet.position(i).head<2>().cwiseAbs2();
+  const double ratio = std::sqrt(moment.x() / moment.y());
+  return Eigen::Vector2d(std::sqrt(area * ratio), std::sqrt(area / ratio)) / 2;
+}
 
 /// Mean distance from the axis of the outermost atoms, those of the sides across x and across y.
 Eigen::Vector2d to_sliding_edges(const atomistic::Sheet& sheet) {
@@ -68,9 +87,14 @@ double to_sliding_rim(const atomistic::Sheet& sheet) {
 }  // namespace
 
 PairedSheet::PairedSheet(const Case& c, const atomistic::Potential& potential, const atomistic::Card& card)
-    : strain_(pretension_strain(c, card)), sheet_(paired_sheet(c, potential, card, strain_)) {
+    : strain_(pretension_strain(c, card)),
+      sheet_(paired_sheet(c, potential, card, strain_)),
+      slope_margin_A_(card.slope_margin_bonds * sheet_.bond_A) {
   if (c.edge == Edge::clamped)
-    half_A_.setConstant(sheet_.radius_A + clamp_margin_bonds * sheet_.bond_A);
+    half_A_ =
+        of_free_atoms(c.vacancies_A.empty() && c.stone_wales_A.empty() ? sheet_ : whole(c, potential, card, strain_))
+            .array() +
+        card.clamp_margin_bonds * sheet_.bond_A;
   else if (c.shape == Shape::disc)
     half_A_.setConstant(to_sliding_rim(sheet_));
   else
@@ -79,8 +103,7 @@ PairedSheet::PairedSheet(const Case& c, const atomistic::Potential& potential, c
 
 double PairedSheet::effective_tip_A(const atomistic::Load& load) const {
   const double loaded = static_cast<double>(atomistic::loaded_atoms(load, sheet_).size());
-  const double atom_area = 0.75 * std::numbers::sqrt3 * sheet_.bond_A * sheet_.bond_A;
-  return std::sqrt(loaded * atom_area / std::numbers::pi);
+  return std::sqrt(loaded * area_per_atom_A2(sheet_) / std::numbers::pi);
 }
 
 }  // namespace validate

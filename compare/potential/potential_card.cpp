@@ -1,7 +1,6 @@
 #include "compare/potential/potential_card.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/sha256.hpp"
+#include "compare/base/temporary_folder.hpp"
 #include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
 #include "compare/process/provenance.hpp"
@@ -24,29 +24,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Counts up when a number of the card is computed in another way.
-constexpr int card_layout = 3;
-
-/// Removed unless kept.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "validate-card-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw Error(ExitCode::file_failed, fmt::format("cannot make the folder '{}'", name));
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!kept_) fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-  void keep() { kept_ = true; }
-
- private:
-  fs::path path_;
-  bool kept_ = false;
-};
+constexpr int card_layout = 4;
 
 std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::path& file) {
   std::ifstream in(file);
@@ -134,7 +112,7 @@ PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& 
       return *found;
     }
   PotentialCard card{.potential = potential, .card = {}, .response = {}, .lammps = {}, .law = {}, .no_law = {}};
-  TemporaryFolder folder;
+  TemporaryFolder folder("validate-card");
   run_job(launch, folder, "card", atomistic::CardJob{potential.potential}, TakeEvents{card});
   run_job(
       launch, folder, "response",

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "membrane/meridian/setup.hpp"
 #include "membrane/meridian/tuning.hpp"
 
 namespace membrane::meridian {
@@ -52,11 +53,12 @@ std::vector<QuadraturePoint> watched(const std::vector<double>& nodes, double fa
 }  // namespace
 
 Assembly::Assembly(std::vector<double> nodes, std::vector<int> held, std::vector<EnergyTerm> terms,
-                   std::optional<SphereContact> contact)
+                   std::optional<SphereContact> contact, double rim_spring_eV)
     : nodes_(std::move(nodes)),
       held_(std::move(held)),
       terms_(std::move(terms)),
       contact_(contact),
+      rim_spring_eV_(rim_spring_eV),
       points_(quadrature(nodes_)) {
   if (contact_) contact_points_ = watched(nodes_, ContactTuning::watched_share * contact_->radius_A);
 }
@@ -82,6 +84,11 @@ double Assembly::energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
       sum += density.gradient;
     }
     add(point, sum);
+  }
+  if (rim_spring_eV_ > 0) {
+    const Eigen::Index slope = dof_count() - 1;
+    parts_[bending_term] += rim_spring_eV_ * x[slope] * x[slope] / 2;
+    gradient[slope] += rim_spring_eV_ * x[slope];
   }
   for (const QuadraturePoint& point : pressed()) {
     const Density density = (*contact_)(point.ring, state(point, x));
@@ -124,6 +131,7 @@ void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
     const QuadraturePoint& point = pressed()[i];
     add(point, (*contact_)(point.ring, state(point, x), pressures_[i]).hessian, K);
   }
+  K.diagonal.back()(dofs_per_node - 1, dofs_per_node - 1) += rim_spring_eV_;
   for (int dof : held_) K.hold(dof);
 }
 

@@ -23,8 +23,9 @@ struct QuadraturePoint {
 /// of freedom across the sheet, since with more the constraints would contradict each other.
 class Assembly {
  public:
+  /// `rim_spring_eV`: moment over angle of a rim that turns, counted as bending.
   Assembly(std::vector<double> nodes, std::vector<int> held, std::vector<EnergyTerm> terms,
-           std::optional<SphereContact> contact);
+           std::optional<SphereContact> contact, double rim_spring_eV = 0);
 
   /// Total energy (eV) and gradient (zero at held degrees of freedom).
   double energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient);
@@ -101,6 +102,7 @@ class Assembly {
   std::vector<int> held_;
   std::vector<EnergyTerm> terms_;
   std::optional<SphereContact> contact_;
+  double rim_spring_eV_;
   /// Where the contact acts: nowhere without a barrier.
   std::span<const QuadraturePoint> pressed() const {
     return contact_ && contact_->barrier_eV_per_A2 > 0 ? std::span(contact_points_)

@@ -1,6 +1,9 @@
 // What a problem that check() accepts for a meridian means there.
 #pragma once
 
+#include <limits>
+#include <numbers>
+
 #include "membrane/problem.hpp"
 
 namespace membrane::meridian {
@@ -12,6 +15,13 @@ inline double pretension_eV_per_A2(const Problem& problem) { return problem.pres
 
 /// 0: a membrane. The Gaussian term does not count where the rim is clamped.
 inline double bending_modulus_eV(const Problem& problem) { return problem.bending ? problem.bending->mean_eV : 0; }
+
+/// Moment over angle of the whole rim, eV: κ / margin on each length of it. Infinite: it does not turn.
+inline double rim_spring_eV(const Problem& problem) {
+  const double margin = std::get<DiscSheet>(problem.sheet).slope_margin_A;
+  if (!(margin > 0)) return std::numeric_limits<double>::infinity();
+  return 2 * std::numbers::pi * radius_A(problem) * bending_modulus_eV(problem) / margin;
+}
 
 /// What a meridian wants to know of a load beside its pattern.
 struct Traits {

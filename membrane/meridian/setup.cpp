@@ -32,7 +32,7 @@ std::vector<int> held_dofs(const Problem& problem, int nodes) {
   const bool cone = !bends && traits_of(problem).peaked;
   if (!cone) held.push_back(3);      // slope at the centre
   if (clamped) held.push_back(rim);  // u at the rim
-  if (clamped && bends) held.push_back(rim + 3);
+  if (clamped && bends && std::isinf(rim_spring_eV(problem))) held.push_back(rim + 3);
   return held;
 }
 
@@ -63,7 +63,8 @@ Assembly assembly_of(const Problem& problem) {
   std::vector<int> held = held_dofs(problem, static_cast<int>(nodes.size()));
   std::optional<SphereContact> contact;
   if (const Traits load = traits_of(problem); load.sphere) contact = SphereContact{.radius_A = load.radius_A};
-  return {std::move(nodes), std::move(held), terms_of(problem), contact};
+  const double spring = rim_spring_eV(problem);
+  return {std::move(nodes), std::move(held), terms_of(problem), contact, std::isinf(spring) ? 0 : spring};
 }
 
 Eigen::VectorXd pattern_of(const Problem& problem, const Assembly& assembly) {

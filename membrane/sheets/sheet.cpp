@@ -28,6 +28,8 @@ struct Check {
     check_length("sheet.radius_A", disc.radius_A);
     check_count("sheet.rings", disc.rings, fewest_rings, most_rings);
     if (disc.rim == Support::free) refuse("sheet.rim", "free", "a disc must be held at its rim: clamped or sliding");
+    if (!(disc.slope_margin_A >= 0 && disc.slope_margin_A < disc.radius_A))
+      refuse("sheet.slope_margin_A", disc.slope_margin_A, "must be at least 0 and below sheet.radius_A");
   }
   void operator()(const AnnulusSheet& ring) const {
     check_length("sheet.radius_A", ring.radius_A);

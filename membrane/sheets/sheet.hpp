@@ -23,6 +23,9 @@ struct DiscSheet {
   Extent extent = Extent::quarter;
   RingSpacing spacing = RingSpacing::graded;
   Support rim = Support::clamped;
+  /// Of a clamped rim of a meridian that bends: the rim turns by this length times its curvature, as if the slope were
+  /// held that much farther out than displacements are. A lattice is clamped so. 0: the rim does not turn.
+  double slope_margin_A = 0;
 };
 
 /// Ring between a hub and a rim, meshed whole: rings × 2 around triangles.

@@ -71,6 +71,21 @@ TEST(MeridianSheet, IndentationOnTopOfPressure) {
   EXPECT_NEAR(steps[2].support_force_eV_per_A.z(), steps[2].force_eV_per_A - 2e-4 * pi * a * a, 1e-8);
 }
 
+// A plate whose rim turns by h times its curvature: the moment M = F (1 − c²/2a²)/4π that holds a clamped rim is shared
+// by the spring κ/h and the plate's own spherical bending, C (a² − r²) with 2 a C κ/h + 4 C κ = M.
+TEST(MeridianSheet, ATurningRimIsAPlateOnASpring) {
+  constexpr double kappa = 0.966, c = 10, h = 7, force = 1e-6;
+  Problem problem = plate_problem(DiscLoad{c}, {force});
+  problem.control = Control::force;
+  const double held = run(problem)[0].depth_A;
+  std::get<DiscSheet>(problem.sheet).slope_margin_A = h;
+  const Step turning = run(problem)[0];
+  const double moment = force / (4 * pi) * (1 - c * c / (2 * a * a));
+  EXPECT_NEAR((turning.depth_A - held) / (a * a * moment / (2 * a * kappa / h + 4 * kappa)), 1, 1e-6);
+  EXPECT_NEAR(2 * turning.energy_eV / (force * turning.conjugate_depth_A), 1, 1e-6);  // the spring's share counts
+  EXPECT_NEAR(turning.support_force_eV_per_A.z() / force, 1, 1e-6);
+}
+
 CauchyBorn airebo() {
   std::ifstream file(MEMBRANE_TEST_DATA "/airebo_law.csv");
   std::string line;
@@ -176,6 +191,13 @@ TEST(MeridianSheet, BadProblemsAreRefusedByName) {
   expect_refused([](Problem& p) { p.sheet = DiscSheet{.radius_A = a, .spacing = RingSpacing::uniform}; },
                  "sheet.spacing");
   expect_refused([](Problem& p) { p.sheet = DiscSheet{.radius_A = a, .rim = Support::sliding}; }, "sheet.rim");
+  expect_refused([](Problem& p) { p.sheet = DiscSheet{.radius_A = a, .slope_margin_A = -1}; }, "sheet.slope_margin_A");
+  expect_refused(
+      [](Problem& p) {
+        p.sheet = DiscSheet{.radius_A = a, .slope_margin_A = 1};
+        p.bending.reset();
+      },
+      "sheet.slope_margin_A");
   expect_refused([](Problem& p) { p.prestress_eV_per_A2 = Eigen::Vector2d(1, 2).asDiagonal(); }, "prestress_eV_per_A2");
   expect_refused([](Problem& p) { p.load = PressureLoad{}; }, "control");
   expect_refused(

@@ -17,7 +17,8 @@ TEST(Event, EveryKindSurvivesTheLine) {
       EndEvent{{.ended = Ended::artefact, .reason = "bond"}},
       ErrorEvent{"line\nbreak and \"quotes\"", Fault::file},
       ResponseEvent{{.curves = {{.direction = "zigzag", .strain = {0, 0.01}, .artefact_strain = 0.2}},
-                     .states = {{.strain = {0.1, 0.2, 0.3, 15}, .S12_eV_per_A2 = 1.5}}}}};
+                     .states = {{.strain = {0.1, 0.2, 0.3, 15}, .S12_eV_per_A2 = 1.5}}}},
+      ForcesEvent{{{-7.4, Eigen::Vector3d(0.1, -1e-17, 3)}, {-7.3, Eigen::Vector3d(1, 2, 3)}}}};
   for (const Event& event : events) {
     const std::string line = to_line(event);
     EXPECT_EQ(line.find('\n'), std::string::npos);

@@ -91,6 +91,17 @@ TEST_F(JobFile, ACardSurvives) {
   EXPECT_EQ(std::get<CardJob>(read_job(file).work).potential.pair_style, "rebo");
 }
 
+TEST_F(JobFile, PositionsToProbeKeepAllDigits) {
+  const Eigen::VectorXd one = Eigen::Vector3d(0.1, 1.0 / 3, -2), two = Eigen::Vector3d(1e-17, 0, 5);
+  write_job({ForcesJob{{.pair_style = "rebo"}, {one, two}}, "/log"}, file);
+  const Job job = read_job(file);
+  const auto& back = std::get<ForcesJob>(job.work);
+  EXPECT_EQ(back.potential.pair_style, "rebo");
+  ASSERT_EQ(back.positions.size(), 2u);
+  EXPECT_EQ(back.positions[0], one);
+  EXPECT_EQ(back.positions[1], two);
+}
+
 TEST_F(JobFile, BrokenFilesAreNamed) {
   std::ofstream(file) << "{\"log_file\": 1}";
   try {

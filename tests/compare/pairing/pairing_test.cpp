@@ -49,10 +49,10 @@ double radius_of_area_of(int atoms, double bond_A) {
   return std::sqrt(atoms * 3 * std::numbers::sqrt3 / 4 * bond_A * bond_A / std::numbers::pi);
 }
 
-TEST(Pairing, TheClampIsThreeQuartersOfABondBeyondTheFreeSheet) {
+TEST(Pairing, TheClampIsAMarginBeyondTheFreeAtomsArea) {
   sample::Pairing pairing(of_radius(20, {LoadKind::disc}));
   const PairedLoad& load = pairing.loads().at(0);
-  const double a = 20 + 0.75 * 1.42;
+  const double a = radius_of_area_of(atoms_within_by_counting(20, 1.42), 1.42) + 0.44 * 1.42;
   EXPECT_NEAR(load.atoms->run.a_A, a, 1e-12);
   for (const Purpose purpose : {Purpose::like_for_like, Purpose::calibrated_membrane, Purpose::calibrated_sheet,
                                 Purpose::paired_radii, Purpose::bending})
@@ -62,6 +62,40 @@ TEST(Pairing, TheClampIsThreeQuartersOfABondBeyondTheFreeSheet) {
   EXPECT_EQ(load.atoms->problem.radius_A, 20);
   for (const Purpose nominal : {Purpose::paper, Purpose::nominal_radii}) EXPECT_EQ(load.find(nominal)->run.a_A, 20);
   EXPECT_EQ(radius_of(rings(*load.find(Purpose::nominal_radii))), 20);
+}
+
+TEST(Pairing, ASheetThatBendsTurnsAtItsClamp) {
+  sample::Pairing pairing(of_radius(20, {LoadKind::disc}));
+  const PairedLoad& load = pairing.loads().at(0);
+  const auto margin = [&](Purpose purpose) {
+    return std::get<membrane::DiscSheet>(rings(*load.find(purpose)).sheet).slope_margin_A;
+  };
+  for (const Purpose bent : {Purpose::bending, Purpose::calibrated_sheet})
+    EXPECT_NEAR(margin(bent), 0.37 * 1.42, 1e-12);
+  for (const Purpose limp : {Purpose::calibrated_membrane, Purpose::paired_radii, Purpose::nominal_radii})
+    EXPECT_EQ(margin(limp), 0);
+}
+
+TEST(Pairing, DefectsDoNotMoveTheClamp) {
+  Case c = of_radius(20, {LoadKind::disc});
+  const double whole = sample::Pairing(c).sheet().effective_radius_A();
+  c.vacancies_A = {3, 4, -8, 2};
+  const sample::Pairing holed(c);
+  EXPECT_LT(holed.sheet().sheet().free_atoms, atoms_within_by_counting(20, 1.42));
+  EXPECT_DOUBLE_EQ(holed.sheet().effective_radius_A(), whole);
+}
+
+/// Area of the free atoms between the margins; across x and across y rows of atoms end at different places.
+TEST(Pairing, AClampedSquareHasTheFreeAtomsAreaAndAMargin) {
+  Case c = of_radius(20, {LoadKind::pressure});
+  c.shape = Shape::square;
+  c.pressures_eV_per_A3 = {1e-3};
+  const sample::Pairing pairing(c);
+  const Eigen::Vector2d half = pairing.sheet().half_A().array() - 0.44 * 1.42;
+  const double area = 3 * std::numbers::sqrt3 / 4 * 1.42 * 1.42 * pairing.sheet().sheet().free_atoms;
+  EXPECT_NEAR(4 * half.x() * half.y(), area, 1e-9 * area);
+  EXPECT_NEAR(half.x(), 20, 0.75 * 1.42);
+  EXPECT_NEAR(half.y(), 20, 0.75 * 1.42);
 }
 
 TEST(Pairing, TheTipIsADiscOfTheLoadedAtomsArea) {
@@ -150,7 +184,8 @@ TEST(Pairing, PretensionIsAStrainOfTheAtomsAndTheLawsAnswerToIt) {
   const PairedLoad& load = pairing.loads()[0];
   const double strain = 0.5 * (1 - 0.25) / 18.75, stretch = 1 + strain, green = (stretch * stretch - 1) / 2;
   EXPECT_NEAR(load.atoms->problem.biaxial_strain, strain, 1e-15);
-  EXPECT_NEAR(load.atoms->run.a_A, 20 + 0.75 * 1.42 * stretch, 1e-12);
+  const double bond = 1.42 * stretch;
+  EXPECT_NEAR(load.atoms->run.a_A, radius_of_area_of(atoms_within_by_counting(20, bond), bond) + 0.44 * bond, 1e-12);
   const Eigen::Matrix2d prestress = triangles(*load.find(Purpose::like_for_like)).prestress_eV_per_A2;
   EXPECT_TRUE(prestress.isApprox(0.5 * Eigen::Matrix2d::Identity()));
   EXPECT_EQ(rings(*load.find(Purpose::bending)).prestress_eV_per_A2(0, 0), 0.5);

@@ -20,6 +20,8 @@ inline validate::PotentialCard card(bool with_law = true) {
   card.card.C66_eV_per_A2 = 7.5;
   card.card.bending_modulus_zigzag_eV = 1.25;
   card.card.bending_modulus_armchair_eV = 1.75;
+  card.card.clamp_margin_bonds = 0.44;
+  card.card.slope_margin_bonds = 0.37;
   if (!with_law) return card;
   validate::CalibratedLaw& law = card.law.emplace();
   law.law = {.sheet_modulus_eV_per_A2 = Eh, .nu = nu, .terms = {{.a = 3, .b = 0, .coefficient_eV_per_A2 = c3}}};
