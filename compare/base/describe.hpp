@@ -33,6 +33,8 @@ inline constexpr std::string_view energy = "eV";
 inline constexpr std::string_view volume = "Å³";
 inline constexpr std::string_view newton_per_metre = "N/m";
 inline constexpr std::string_view second = "s";
+inline constexpr std::string_view nanometre = "nm";
+inline constexpr std::string_view nanonewton = "nN";
 }  // namespace unit
 
 /// Allowed values of a number. Written so that NaN never passes.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -35,6 +36,45 @@ double in_range(const Field& field, double value, std::string_view label) {
 
 double parse_number(const Field& field, std::string_view text, std::string_view label) {
   return in_range(field, parse_quantity(text, field.unit, label), label);
+}
+
+namespace {
+
+bool has_unit(std::string_view text) { return text.find_last_not_of(" 0123456789.+-eE") != std::string_view::npos; }
+
+/// What stands behind the number of a text: its unit.
+std::string_view unit_behind(std::string_view text) {
+  const auto first = text.find_first_not_of(" 0123456789.+-eE");
+  return first == std::string_view::npos ? std::string_view{} : text.substr(first);
+}
+
+}  // namespace
+
+Uncertain parse_uncertain(const Field& field, std::string_view text, std::string_view label) {
+  for (const std::string_view sign : {"±", "+/-", "+-"}) {
+    const auto at = text.find(sign);
+    if (at == std::string_view::npos) continue;
+    std::string value(text.substr(0, at)), error(text.substr(at + sign.size()));
+    Uncertain found;
+    const Field positive_error{field.name, field.unit, field.meaning, not_negative()};
+    if (const auto percent = error.find('%'); percent != std::string::npos) {
+      // "0.5 ± 2 % um": a unit behind the percent sign is the value's
+      if (!has_unit(value)) value += error.substr(percent + 1);
+      found.value = parse_number(field, value, label);
+      const double share =
+          parse_number(Field{field.name, unit::none, "", not_negative()}, error.substr(0, percent), label);
+      found.error = share / 100 * std::abs(found.value);
+    } else {
+      if (!has_unit(value))
+        value += unit_behind(error);
+      else if (!has_unit(error))
+        error += unit_behind(value);
+      found.value = parse_number(field, value, label);
+      found.error = parse_number(positive_error, error, label);
+    }
+    return found;
+  }
+  return {parse_number(field, text, label), 0};
 }
 
 std::string parse_text(const Field& field, std::string_view text, std::string_view label) {

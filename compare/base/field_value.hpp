@@ -24,6 +24,15 @@ double in_range(const Field&, double value, std::string_view label);
 /// Text with an optional unit → base units, in range.
 double parse_number(const Field&, std::string_view text, std::string_view label);
 
+/// A value and its standard error.
+struct Uncertain {
+  double value = 0, error = 0;
+};
+
+/// "0.50 ± 0.01 um", "0.5 um +- 2 %", or without an error → base units, the value in range, the error not negative. A
+/// unit behind the error stands for both where the value has none.
+Uncertain parse_uncertain(const Field&, std::string_view text, std::string_view label);
+
 /// The text itself if it is one of the field's choices (or the field has none) and not empty.
 std::string parse_text(const Field&, std::string_view text, std::string_view label);
 

@@ -9,7 +9,7 @@ namespace validate {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> suffixes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> suffixes = {{
     {unit::none, ""},
     {unit::length, "_A"},
     {unit::force, "_eV_per_A"},
@@ -19,7 +19,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> suffixes
     {unit::volume, "_A3"},
     {unit::newton_per_metre, "_N_per_m"},
     {unit::second, "_s"},
-    {nanonewton, "_nN"},
+    {unit::nanometre, "_nm"},
+    {unit::nanonewton, "_nN"},
 }};
 
 }  // namespace

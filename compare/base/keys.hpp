@@ -11,8 +11,6 @@
 
 namespace validate {
 
-inline constexpr std::string_view nanonewton = "nN";
-
 /// Name with the unit behind it: {"depth", Å} → "depth_A", {"depth-max", Å} → "depth_max_A".
 std::string key(const Field& field);
 

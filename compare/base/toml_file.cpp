@@ -22,7 +22,8 @@
 namespace validate {
 
 struct TomlFile::Content {
-  toml::table root;
+  std::shared_ptr<const toml::table> whole;
+  const toml::table& root;  ///< the whole, or a table in it
 };
 
 namespace {
@@ -86,9 +87,9 @@ const toml::node* find_node(const toml::table& root, const Field& field) {
   return !found && field.top_too ? root.get(field.name) : found;
 }
 
-toml::table parse(const std::filesystem::path& file, std::string_view label) {
+std::shared_ptr<const toml::table> parse(const std::filesystem::path& file, std::string_view label) {
   try {
-    return toml::parse(read_file(file, label), file.string());
+    return std::make_shared<const toml::table>(toml::parse(read_file(file, label), file.string()));
   } catch (const toml::parse_error& problem) {
     throw bad_input("{}:{}: not valid TOML: {}", place(file, problem.source().begin), problem.source().begin.column,
                     problem.description());
@@ -131,10 +132,39 @@ std::string place_of_table(std::string_view table) {
 
 }  // namespace
 
-TomlFile::TomlFile(std::filesystem::path file, std::string_view label)
-    : file_(std::move(file)), content_(std::make_unique<const Content>(Content{parse(file_, label)})) {}
+TomlFile::TomlFile(std::filesystem::path file, std::string_view label) : file_(std::move(file)) {
+  const auto whole = parse(file_, label);
+  content_ = std::make_unique<const Content>(Content{whole, *whole});
+}
 
+TomlFile::TomlFile(std::filesystem::path file, std::unique_ptr<const Content> content)
+    : file_(std::move(file)), content_(std::move(content)) {}
+
+TomlFile::TomlFile(TomlFile&&) noexcept = default;
 TomlFile::~TomlFile() = default;
+
+std::vector<TomlFile> TomlFile::tables(std::string_view name) const {
+  for (const auto& [key, node] : content_->root)
+    if (key.str() != name)
+      throw bad_input("{}: '{}' stands outside of [[{}]]; allowed at the top level: [[{}]]{}",
+                      place(file_, key.source().begin), key.str(), name, name, did_you_mean(key.str(), {&name, 1}));
+  const toml::node* list = content_->root.get(name);
+  if (!list) throw bad_input("{}: there is no [[{}]] in it", file_.string(), name);
+  const toml::array* array = list->as_array();
+  if (!array)
+    refuse_type(*list, fmt::format("{}: {}", place(file_, list->source().begin), name),
+                fmt::format("a list of tables, [[{}]]", name));
+  std::vector<TomlFile> found;
+  for (const toml::node& node : *array) {
+    if (!node.is_table())
+      refuse_type(node, fmt::format("{}: {}", place(file_, node.source().begin), name),
+                  fmt::format("a table, [[{}]]", name));
+    found.push_back(TomlFile(file_, std::make_unique<const Content>(Content{content_->whole, *node.as_table()})));
+  }
+  return found;
+}
+
+std::string TomlFile::where() const { return place(file_, content_->root.source().begin); }
 
 void TomlFile::refuse_unknown_keys(const std::vector<Field>& fields) const {
   const auto tables = tables_of(fields);

@@ -20,7 +20,15 @@ class TomlFile {
   /// Parses the file. Throws Error: bad input with file, line and column where it is not TOML; `label` (a
   /// flag, or the key that names the file) starts the message about a file that cannot be read.
   explicit TomlFile(std::filesystem::path file, std::string_view label = {});
+  TomlFile(TomlFile&&) noexcept;
   ~TomlFile();
+
+  /// The tables of [[name]], each read as if it were a file. Throws Error (bad input) where there is none, or anything
+  /// else at the top level.
+  std::vector<TomlFile> tables(std::string_view name) const;
+
+  /// "file:line" of what this is: a file, or one of its tables.
+  std::string where() const;
 
   /// Overwrites the fields that the file gives and returns their origins. A key that no field has, a value of
   /// the wrong type or outside the field's range throws Error (bad input) with file and line.
@@ -41,6 +49,7 @@ class TomlFile {
 
  private:
   struct Content;  // keeps the TOML library out of every other file
+  TomlFile(std::filesystem::path file, std::unique_ptr<const Content> content);
 
   void refuse_unknown_keys(const std::vector<Field>&) const;
   std::optional<std::string> find(const Field&) const;  // "file:line: key" if the key is given

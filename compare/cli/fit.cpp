@@ -27,17 +27,18 @@ namespace validate {
 namespace {
 
 constexpr std::array<std::string_view, 2> tip_names = {"sphere", "disc"};
-constexpr std::array<std::string_view, 3> weight_names = {"uniform", "relative", "sigma"};
+constexpr std::array<std::string_view, 4> weight_names = {"automatic", "uniform", "relative", "sigma"};
 
 /// The flags as they were typed; a key of the file's remarks stands in for one that was not.
 struct FitFlags {
   std::vector<std::string> files;
-  std::string radius, nu, tip, tip_radius, bending, model = "eq16", weights = "uniform";
+  std::string radius, nu, tip, tip_radius, bending, model = "eq16", weights = "automatic";
   std::string depth_column, force_column, sigma_column;
   std::string depth_min, depth_max, baseline, contact;
   std::string potential, third_order;
-  bool fit_force_zero = false, quiet = false;
-  int bootstrap = 500;
+  std::string sigma_force, sigma_depth, spring_constant, sensitivity_error;
+  bool fit_force_zero = false, fit_slope = false;
+  int bootstrap = 0;
   unsigned seed = 1;
   OutputOptions output;
   std::string json;
@@ -55,20 +56,41 @@ Given given(const std::string& flag, const std::string& value, const MeasuredCur
   return {remark->second, fmt::format("{}: remark {}", curve.file.string(), flag)};
 }
 
-double need(const Field& field, const Given& value) {
+/// A quantity of a laboratory: a number alone could be meant in any unit.
+Uncertain with_unit(const Field& field, const Given& value) {
+  const auto [number, error] = parse_uncertain(field, value.text, value.label);
+  const bool bare = value.text.find_first_not_of("0123456789.+-eE ±%/") == std::string::npos;
+  if (bare && !field.unit.empty() && number != 0)
+    throw bad_input("{}: '{}' has no unit; write it like \"0.5 um\" or \"5 nN\"", value.label, value.text);
+  return {number, error};
+}
+
+Uncertain need(const Field& field, const Given& value) {
   if (value.text.empty())
     throw bad_input("{}: is needed: {}, as a flag or as a remark '# {}: …' in the file", value.label, field.meaning,
                     field.name);
-  return parse_number(field, value.text, value.label);
-}
-
-double optional_length(const char* name, const std::string& text, Range range, double otherwise) {
-  return text.empty() ? otherwise : parse_number(Field{name, unit::length, "", range}, text, fmt::format("--{}", name));
+  return with_unit(field, value);
 }
 
 Weighting weighting(const std::string& name) {
   const std::string chosen = parse_text(Field{.name = "weights", .choices = weight_names}, name, "--weights");
-  return chosen == "relative" ? Weighting::relative : chosen == "sigma" ? Weighting::sigma : Weighting::uniform;
+  return chosen == "relative"  ? Weighting::relative
+         : chosen == "sigma"   ? Weighting::sigma
+         : chosen == "uniform" ? Weighting::uniform
+                               : Weighting::automatic;
+}
+
+std::optional<double> known(const Field& field, const std::string& flag) {
+  if (flag.empty()) return std::nullopt;
+  return with_unit(field, {flag, fmt::format("--{}", field.name)}).value;
+}
+
+/// "5 %" or 0.05.
+double share(std::string text, const char* label) {
+  const auto percent = text.find('%');
+  if (percent != std::string::npos) text.erase(percent);
+  const double number = parse_number(Field{"share", unit::none, "", not_negative()}, text, label);
+  return percent == std::string::npos ? number : number / 100;
 }
 
 /// The card of the potential whose sheet is fitted.
@@ -99,19 +121,35 @@ std::optional<SheetPhysics> physics_of(const FitFlags& flags, const std::optiona
 MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
                            const std::optional<PotentialCard>& card) {
   MeasuredOptions o;
-  o.geometry.a_A = need(Field{"radius", unit::length, "radius of the suspended sheet", positive()},
-                        given("radius", flags.radius, curve));
+  const auto take = [&o](double ModelGeometry::*member, const Uncertain& u) {
+    o.geometry.*member = u.value;
+    o.errors.geometry.*member = u.error;
+  };
+  take(&ModelGeometry::a_A, need(Field{"radius", unit::length, "radius of the suspended sheet", positive()},
+                                 given("radius", flags.radius, curve)));
   const Given nu = given("nu", flags.nu, curve);
   const bool from_card = card && flags.nu.empty();
-  o.geometry.nu = from_card ? card->card.nu() : need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, nu);
+  take(&ModelGeometry::nu,
+       from_card ? Uncertain{card->card.nu()} : need(Field{"nu", unit::none, "Poisson's ratio", between(-1, 1)}, nu));
   const Given tip = given("tip-radius", flags.tip_radius, curve);
   if (!tip.text.empty())
-    o.geometry.tip_A = parse_number(Field{"tip-radius", unit::length, "", not_negative()}, tip.text, tip.label);
+    take(&ModelGeometry::tip_A, with_unit(Field{"tip-radius", unit::length, "", not_negative()}, tip));
   if (!(o.geometry.tip_A < o.geometry.a_A))
     throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, o.geometry.tip_A,
                     o.geometry.a_A);
   if (!flags.bending.empty())
-    o.geometry.bending_eV = parse_number(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending");
+    take(&ModelGeometry::bending_eV,
+         parse_uncertain(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending"));
+  const Given spring = given("spring-constant", flags.spring_constant, curve);
+  if (!spring.text.empty()) {
+    const Uncertain k = with_unit(Field{"spring-constant", unit::membrane_force, "", positive()}, spring);
+    o.spring_constant_eV_per_A2 = k.value;
+    o.errors.force_scale_relative = k.error / k.value;
+  }
+  if (!flags.sensitivity_error.empty())
+    o.errors.sensitivity_relative = share(flags.sensitivity_error, "--sensitivity-error");
+  o.sigma_force_eV_per_A = known(Field{"sigma-force", unit::force, "", positive()}, flags.sigma_force);
+  o.sigma_depth_A = known(Field{"sigma-depth", unit::length, "", not_negative()}, flags.sigma_depth);
   o.physics = physics_of(flags, card, o.geometry);
   o.model = flags.model;
   const ClosedForm& form = closed_form(o.model, "--model");
@@ -124,15 +162,16 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
                     o.sphere ? "sphere" : "disc");
   if (form.tip == TipShape::sphere && o.geometry.tip_A == 0)
     throw bad_input("--tip-radius: is needed by the model '{}'", o.model);
-  o.depth_min_A = optional_length("depth-min", flags.depth_min, not_negative(), 0);
-  if (!flags.depth_max.empty()) o.depth_max_A = optional_length("depth-max", flags.depth_max, positive(), 0);
-  if (!flags.baseline.empty()) o.baseline_to_A = optional_length("baseline", flags.baseline, any_number(), 0);
-  o.fit_contact = flags.contact == "fit";
-  if (!o.fit_contact) o.contact_A = optional_length("contact", flags.contact, any_number(), 0);
-  o.fit_force_zero = flags.fit_force_zero;
-  o.fit.weighting = weighting(flags.weights);
-  o.fit.bootstrap_samples = flags.bootstrap;
-  o.fit.seed = flags.seed;
+  const Field depth_min{"depth-min", unit::length, "", any_number()},
+      depth_max{"depth-max", unit::length, "", positive()};
+  o.depth_min_A = known(depth_min, flags.depth_min);
+  o.depth_max_A = known(depth_max, flags.depth_max);
+  o.baseline_to_A = known(Field{"baseline", unit::length, "", any_number()}, flags.baseline);
+  o.free = {flags.contact == "fit", flags.contact == "fit" || flags.fit_force_zero, flags.fit_slope};
+  if (!o.free.contact) o.contact_A = known(Field{"contact", unit::length, "", any_number()}, flags.contact).value_or(0);
+  o.weighting = weighting(flags.weights);
+  o.bootstrap_samples = flags.bootstrap;
+  o.seed = flags.seed;
   return o;
 }
 
@@ -163,7 +202,7 @@ constexpr const char* fit_examples =
 
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
-  validate fit *.csv --radius "0.5 um" --nu 0.165 --baseline 0 --contact fit --out fits
+  validate fit *.csv --radius "0.50 ± 0.01 um" --nu 0.165 --tip-radius "16.5 ± 2 nm" --contact fit --out fits
   validate fit curve.csv --radius "0.5 um" --tip disc --tip-radius "16.5 nm" --potential lcbop
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
@@ -177,25 +216,36 @@ void add_fit(CLI::App& app, int& exit_code) {
   const auto text = [&](const char* name, std::string& value, const char* meaning, const char* type = "VALUE") {
     command->add_option(name, value, meaning)->type_name(type);
   };
-  text("--radius", flags->radius, "radius of the suspended sheet; > 0 Å");
-  text("--nu", flags->nu, "Poisson's ratio; > -1 and < 1", "NUMBER");
+  text("--radius", flags->radius, "radius of the suspended sheet, with its error: \"0.50 ± 0.01 um\"; > 0 Å");
+  text("--nu", flags->nu, "Poisson's ratio, with its error if it has one; > -1 and < 1", "NUMBER");
   text("--tip", flags->tip, "shape of the tip; sphere, disc; default sphere", "NAME");
-  text("--tip-radius", flags->tip_radius, "radius of the tip; 0 is a point; default 0");
+  text("--tip-radius", flags->tip_radius, "radius of the tip, with its error; 0 is a point; default 0");
   text("--bending", flags->bending, "bending modulus in eV, for the model plate, the warnings and the sheet", "NUMBER");
   text("--potential", flags->potential, "fit a sheet of this potential's own law, with bending, beside the closed form",
        "NAME");
   text("--third-order", flags->third_order, "fit a sheet with S = E·h E + D E²: this D, -690 N/m in Lee et al. 2008");
   text("--model", flags->model, "closed form to fit; default eq16", "NAME");
-  text("--weights", flags->weights, "weights of the residuals; uniform, relative, sigma; default uniform", "NAME");
+  text("--weights", flags->weights,
+       "noise of the points: the file's sigma if it has one, alike, in proportion to the force, or the file's; "
+       "automatic, uniform, relative, sigma; default automatic",
+       "NAME");
   text("--depth-column", flags->depth_column, "header or number of the depth column", "NAME");
   text("--force-column", flags->force_column, "header or number of the force column", "NAME");
   text("--sigma-column", flags->sigma_column, "header or number of the forces' standard deviations", "NAME");
+  text("--sigma-force", flags->sigma_force, "noise of the forces, one standard deviation; default: estimated");
+  text("--sigma-depth", flags->sigma_depth, "noise of the depths; default: estimated where there are 40 points");
+  text("--spring-constant", flags->spring_constant,
+       "of the cantilever, with its error: all forces are in proportion to it; turns heights into depths");
+  text("--sensitivity-error", flags->sensitivity_error, "relative error of the deflection, 5 % say", "NUMBER");
   text("--depth-min", flags->depth_min, "smallest depth used");
   text("--depth-max", flags->depth_max, "largest depth used");
   text("--baseline", flags->baseline, "take off the mean force of the points up to this depth");
-  text("--contact", flags->contact, "depth of the contact point, or 'fit' to find it; default 0");
+  text("--contact", flags->contact,
+       "depth of the contact point, or 'fit' to find it and the zero of force with the rest; default 0");
   command->add_flag("--fit-force-zero", flags->fit_force_zero, "the zero of force is one more parameter");
-  command->add_option("--bootstrap", flags->bootstrap, "refits to drawn residuals; 0 to 100000; default 500")
+  command->add_flag("--fit-slope", flags->fit_slope, "and so is a slope of the baseline");
+  command
+      ->add_option("--bootstrap", flags->bootstrap, "check the errors by refits to drawn noise; 0 to 100000; default 0")
       ->type_name("N")
       ->check(CLI::Range(0, 100000).description(""));
   command->add_option("--seed", flags->seed, "of the draws; default 1")->type_name("N");

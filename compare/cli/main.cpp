@@ -22,6 +22,7 @@
 #include "compare/cli/indentation.hpp"
 #include "compare/cli/model.hpp"
 #include "compare/cli/potential.hpp"
+#include "compare/cli/published.hpp"
 #include "compare/cli/report.hpp"
 #include "compare/cli/schema.hpp"
 #include "compare/cli/verify.hpp"
@@ -38,10 +39,15 @@ struct Command {
 
 // Every command of the program.
 constexpr std::array commands = {
-    Command{"bulge", validate::add_bulge},   Command{"figure", validate::add_figure},
-    Command{"fit", validate::add_fit},       Command{"indentation", validate::add_indentation},
-    Command{"model", validate::add_model},   Command{"potential", validate::add_potential},
-    Command{"report", validate::add_report}, Command{"schema", validate::add_schema},
+    Command{"bulge", validate::add_bulge},
+    Command{"figure", validate::add_figure},
+    Command{"fit", validate::add_fit},
+    Command{"indentation", validate::add_indentation},
+    Command{"model", validate::add_model},
+    Command{"potential", validate::add_potential},
+    Command{"published", validate::add_published},
+    Command{"report", validate::add_report},
+    Command{"schema", validate::add_schema},
     Command{"verify", validate::add_verify},
 };
 

@@ -10,14 +10,19 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/interrupt.hpp"
 #include "compare/base/nearest.hpp"
+#include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/verify_table.hpp"
+#include "compare/potential/potential_card.hpp"
 #include "compare/process/document_folder.hpp"
 #include "compare/process/provenance.hpp"
 #include "compare/verify/groups.hpp"
+#include "compare/verify_atoms/groups.hpp"
+#include "compare/verify_fit/groups.hpp"
 
 namespace validate {
 namespace {
@@ -26,15 +31,65 @@ using verify::Group;
 
 struct VerifyFlags {
   std::string what;
-  std::vector<std::string> groups;
+  std::vector<std::string> groups, potentials;
   OutputOptions output;
   std::string json;
-  bool quiet = false;
+  bool quiet = false, full = false;
 };
 
-const Group& group_of(const std::string& name) {
+using verify::Laboratory;
+
+/// What can be verified: groups that the laboratory, where there is one, is handed to.
+struct Part {
+  std::string_view name;
+  std::vector<Group> (*groups)(const std::shared_ptr<Laboratory>&);
+  bool atomistic;
+};
+
+std::vector<Group> membrane_groups(const std::shared_ptr<Laboratory>&) {
+  return {verify::groups().begin(), verify::groups().end()};
+}
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all = {{"membrane", membrane_groups, false},
+                                        {"atoms", verify::atoms_groups, true},
+                                        {"calibration", verify::calibration_groups, true},
+                                        {"fit", [](const auto&) { return verify::fit_groups(false); }, false}};
+  return all;
+}
+
+std::vector<std::string_view> part_names() {
   std::vector<std::string_view> names;
-  for (const Group& group : verify::groups()) {
+  for (const Part& part : parts()) names.push_back(part.name);
+  return names;
+}
+
+const Part& part_of(const std::string& what) {
+  for (const Part& part : parts())
+    if (part.name == what) return part;
+  const auto names = part_names();
+  throw bad_input("verify: '{}' is none; allowed: {}{}", what, fmt::join(names, ", "), did_you_mean(what, names));
+}
+
+const std::vector<std::string> usual_potentials = {"airebo", "rebo", "tersoff", "lcbop"};
+
+std::shared_ptr<Laboratory> laboratory_for(const Part& part, const VerifyFlags& flags) {
+  if (!part.atomistic) {
+    if (!flags.potentials.empty()) throw bad_input("--potential: verify {} has none", part.name);
+    return nullptr;
+  }
+  catch_interrupts();
+  const auto& chosen = flags.potentials.empty() ? usual_potentials : flags.potentials;
+  return std::make_shared<Laboratory>(
+      Laboratory::Means{.launch = {.program = atoms_program(), .launcher = {}, .cores = 2},
+                        .potentials = inputs_folder() / "potentials",
+                        .cards = card_cache(),
+                        .chosen = chosen});
+}
+
+const Group& group_of(const std::vector<Group>& all, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Group& group : all) {
     if (group.name == name) return group;
     names.push_back(group.name);
   }
@@ -42,12 +97,12 @@ const Group& group_of(const std::string& name) {
 }
 
 std::vector<Group> chosen(const VerifyFlags& flags) {
-  constexpr std::string_view only = "membrane";
-  if (flags.what != only)
-    throw bad_input("verify: '{}' is none; allowed: {}{}", flags.what, only, did_you_mean(flags.what, {&only, 1}));
+  if (flags.full && flags.what != "fit") throw bad_input("--full: is of `verify fit` alone");
+  const Part& part = part_of(flags.what);
+  const std::vector<Group> all = flags.full ? verify::fit_groups(true) : part.groups(laboratory_for(part, flags));
   std::vector<Group> result;
-  for (const std::string& name : flags.groups) result.push_back(group_of(name));
-  if (result.empty()) result.assign(verify::groups().begin(), verify::groups().end());
+  for (const std::string& name : flags.groups) result.push_back(group_of(all, name));
+  if (result.empty()) result = all;
   return result;
 }
 
@@ -89,15 +144,22 @@ int verify_command(const VerifyFlags& flags) {
 }
 
 std::string footer() {
-  std::string text = "Groups:\n";
-  for (const Group& group : verify::groups()) text += fmt::format("  {:10} {}\n", group.name, group.what);
+  std::string text;
+  for (const Part& part : parts()) {
+    text += fmt::format("Groups of {}:\n", part.name);
+    for (const Group& group : part.groups(nullptr)) text += fmt::format("  {:11} {}\n", group.name, group.what);
+  }
   return text +
          "\nEvery row names where its reference comes from: a closed form, a publication, or a solver that "
          "shares no "
          "code\nwith the membrane. `allowed` is relative (absolute where the reference is 0) and follows "
          "from the "
-         "error that\ntwo meshes foretell. Exit code 0 if every row passes, 3 if one fails.\n\n"
-         "Examples:\n  validate verify membrane\n  validate verify membrane --group point,disc --out "
+         "error that\ntwo meshes foretell. The last line counts the rows that rest on numbers from outside and those "
+         "that check the "
+         "code\nagainst itself. atoms and calibration ask validate-atoms, for each potential. Exit code 0 if every row "
+         "passes, 3 if one fails.\n\n"
+         "Examples:\n  validate verify membrane\n  validate verify atoms --potential tersoff\n  validate verify "
+         "membrane --group point,disc --out "
          "verified\n"
          "  validate verify membrane --json - | python3 -m json.tool";
 }
@@ -105,15 +167,24 @@ std::string footer() {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("verify", "the membrane against independent references, as a table");
+  CLI::App* command =
+      app.add_subcommand("verify", "membrane, atoms, calibration and fits against independent references, as a table");
   const auto flags = std::make_shared<VerifyFlags>();
-  command->add_option("what", flags->what, "what to verify: membrane")->required()->type_name("membrane");
+  command->add_option("what", flags->what, fmt::format("what to verify: {}", fmt::join(part_names(), ", ")))
+      ->required()
+      ->type_name("WHAT");
   command->add_option("--group", flags->groups, "these groups only; default all")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command
+      ->add_option("--potential", flags->potentials,
+                   fmt::format("of atoms and calibration; default {}", fmt::join(usual_potentials, ",")))
       ->delimiter(',')
       ->type_name("NAME,...");
   add_output_options(*command, flags->output, "folder for verify.csv and verify.json");
   command->add_option("--json", flags->json, "write the rows as JSON; - for stdout, instead of the table")
       ->type_name("FILE");
+  command->add_flag("--full", flags->full, "fit: a thousand curves a case in place of eighty (minutes)");
   command->add_flag("--quiet", flags->quiet, "no progress on stderr");
   command->footer(footer());
   command->callback([flags, &exit_code] { exit_code = verify_command(*flags); });

@@ -12,9 +12,9 @@
 #include "compare/base/units.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/fitting/curve.hpp"
-#include "compare/fitting/membrane_fit.hpp"
 #include "compare/fitting/models/eq16.hpp"
 #include "compare/fitting/run_fit.hpp"
+#include "compare/fitting/sheet_table.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
@@ -121,9 +121,7 @@ std::vector<double> paper_mesh_forces(double a) {
 }
 
 void compare_with_experiment(PaperFigure& figure, double a, const Tip& tip, const std::vector<double>& force) {
-  CurveFitOptions plain;
-  plain.bootstrap_samples = 0;
-  const auto found = fit_curve(any_model(Eq16{a, nu}), depths(a), force, plain);
+  const auto found = fit_computed(force_model(any_model(Eq16{a, nu})), a, depths(a), force);
   const auto* fit = std::get_if<Fit>(&found);
   if (!fit) return;
   const std::string where = fmt::format("a = {:g} µm, Eq. 16 fitted to {}", a / 1e4, tip.name);

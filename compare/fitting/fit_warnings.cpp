@@ -28,6 +28,24 @@ void negative_pretension(const Fit& fit, Warnings& found) {
         fmt::format("the pretension is negative ({:.3g} N/m): no taut sheet has that; it is the model's bias "
                     "or a wrong zero of depth",
                     in_N_per_m(N0)));
+  else if (fit.pretension_interval_eV_per_A2[0] < 0 && fit.pretension_interval_eV_per_A2[1] > 0)
+    found.push_back(fmt::format("the pretension cannot be told from none (95 %: {:.3g} … {:.3g} N/m)",
+                                in_N_per_m(fit.pretension_interval_eV_per_A2[0]),
+                                in_N_per_m(fit.pretension_interval_eV_per_A2[1])));
+}
+
+/// The residuals know more than noise.
+void structure(const Fit& fit, Warnings& found) {
+  constexpr double ordered = 3;    // standard errors
+  constexpr double too_far = 1.5;  // χ² per degree of freedom
+  if (fit.runs_z > ordered)
+    found.push_back(fmt::format(
+        "the residuals are ordered along the depth ({:.1f} standard errors fewer changes of sign than noise "
+        "has): the model or its zeros are wrong, and the intervals too narrow",
+        fit.runs_z));
+  if (fit.chi2_per_dof > too_far && fit.points >= few_points)
+    found.push_back(fmt::format(
+        "χ² per degree of freedom is {:.2f}: the noise is larger than stated, or the model wrong", fit.chi2_per_dof));
 }
 
 void biased(const Fit& fit, Warnings& found) {
@@ -91,16 +109,19 @@ void tip(const FitContext& context, Warnings& found) {
 }
 
 FitContext context_of(const Result& result, const Run& run) {
-  constexpr double radius_error_in_bonds = 0.25;
   FitContext context{.a_A = run.a_A, .artefact_bond_A = artefact_bond_of(result)};
   if (run.model != Model::atomistic) return context;
-  if (result.card) {
-    context.bending_eV = result.card->bending_modulus_eV;
-    context.radius_error_A = radius_error_in_bonds * result.card->a0_A / std::numbers::sqrt3;
-  }
+  if (result.card) context.bending_eV = result.card->bending_modulus_eV;
+  if (result.sheet) context.radius_error_A = result.sheet->clamp_radius_error_A;
   context.artefact_points = static_cast<int>(std::ranges::count(run.atoms().artefact, true));
   for (const std::size_t i : usable_points(run))
     context.longest_bond_A = std::fmax(context.longest_bond_A, run.longest_bond_A[i]);
+  return context;
+}
+
+/// For a fit that has no bending of its own.
+FitContext without_bending_known(const Fit& fit, FitContext context) {
+  if (fit.model == fitted_sheet) context.bending_eV = not_known;
   return context;
 }
 
@@ -110,6 +131,7 @@ std::vector<std::string> fit_warnings(const Fit& fit, const FitContext& context)
   Warnings found;
   biased(fit, found);
   negative_pretension(fit, found);
+  structure(fit, found);
   bending(fit, context, found);
   points(fit, context, found);
   atoms(context, found);
@@ -120,7 +142,26 @@ std::vector<std::string> fit_warnings(const Fit& fit, const FitContext& context)
 
 void add_warnings(Result& result) {
   for (Run& run : result.runs)
-    if (Fit* fit = closed_form_fit(run.fits)) fit->warnings = fit_warnings(*fit, context_of(result, run));
+    for (Fit& fit : run.fits) fit.warnings = fit_warnings(fit, without_bending_known(fit, context_of(result, run)));
+}
+
+void add_warnings(FittedCurve& curve, const ModelGeometry& geometry) {
+  FitContext context{.a_A = geometry.a_A};
+  context.tip_assumed_a_point = geometry.tip_A == 0;
+  if (geometry.bending_eV > 0) context.bending_eV = geometry.bending_eV;
+  for (Fit& fit : curve.fits) fit.warnings = fit_warnings(fit, without_bending_known(fit, context));
+  const Fit* quoted = recommended_fit(curve.fits);
+  constexpr double decisive = 10;
+  for (const Fit& fit : curve.fits) {
+    if (!quoted || &fit == quoted || fit.points != quoted->points) continue;
+    const double more = quoted->minus_two_log_likelihood - fit.minus_two_log_likelihood;
+    if (more > decisive)
+      curve.notes.push_back(fmt::format("{} describes the points better than {} (−2 ln L smaller by {:.0f})", fit.model,
+                                        quoted->model, more));
+    else if (more > -decisive)
+      curve.notes.push_back(
+          fmt::format("the points do not tell {} from {} (−2 ln L {:+.1f})", fit.model, quoted->model, -more));
+  }
 }
 
 }  // namespace validate

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/fitting/models/list.hpp"
 #include "compare/results/result.hpp"
 
 namespace validate {
@@ -22,7 +23,10 @@ struct FitContext {
 /// Sentences, most serious first; none for a fit without reproach.
 std::vector<std::string> fit_warnings(const Fit& fit, const FitContext& context);
 
-/// Sets the warnings of every fit of a result; call when biases and direct fits are there.
+/// Sets the warnings of every fit of a result; call when the biases are there.
 void add_warnings(Result& result);
+
+/// The same for a measured curve, and notes on which models its points tell apart.
+void add_warnings(FittedCurve& curve, const ModelGeometry& geometry);
 
 }  // namespace validate

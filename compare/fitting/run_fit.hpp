@@ -1,51 +1,49 @@
-// A closed form fitted to a force–depth curve, with all that says how far to trust it.
+// A computed curve read with one model after another: what each says of E·h and pretension, all at the same depths.
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "compare/fitting/models/curve_model.hpp"
+#include "compare/fitting/force_model.hpp"
+#include "compare/fitting/sheet_table.hpp"
 #include "compare/results/result.hpp"
 
 namespace validate {
 
-/// How the squared residuals are weighted: all alike, by 1/force², or by 1/σ² of each point.
-enum class Weighting { uniform, relative, sigma };
-
-struct CurveFitOptions {
-  Weighting weighting = Weighting::uniform;
-  std::vector<double> sigma_eV_per_A;  ///< with Weighting::sigma, one per point
-  bool depth_offset = false, force_offset = false;
-  int bootstrap_samples = 500;
-  std::uint32_t seed = 1;
+/// An input of a computed curve that is uncertain, and what the model says with that input larger by its standard
+/// error.
+struct ComputedInputs {
+  double radius_error_A = 0;           ///< of the clamp
+  double force_error_relative = 1e-3;  ///< of the curve and of the model: triangles 0.05 %, meridian 0.08 %, minimiser
 };
 
-/// Fits a model of (E·h, σ0·h) to points with positive depths and finite forces. Returns the fit, or why
-/// there is none.
-std::variant<Fit, std::string> fit_curve(const AnyCurveModel& model, const std::vector<double>& depth_A,
-                                         const std::vector<double>& force_eV_per_A,
-                                         const CurveFitOptions& options = {});
+/// Least squares of E·h and σ0·h with equal weights (GSL). The points have no noise: the errors are those of the inputs
+/// and numerical ones, the misfit is no part of them. Returns why there is no fit instead.
+std::variant<Fit, std::string> fit_computed(const ForceModel& model, double a_A, const std::vector<double>& depth_A,
+                                            const std::vector<double>& force_eV_per_A,
+                                            const ComputedInputs& inputs = {});
 
 /// The fit to the first 4, 5, … points in order of depth.
-WindowScan scan_window(const AnyCurveModel& model, const std::vector<double>& depth_A,
-                       const std::vector<double>& force_eV_per_A, const CurveFitOptions& options = {});
+WindowScan scan_window(const ForceModel& model, const std::vector<double>& depth_A,
+                       const std::vector<double>& force_eV_per_A);
 
-/// What Eq. 16 reads from a membrane of known constants at the depths of a fit, and the correction of that
-/// fit.
-FitBias fit_bias(const Fit& fit, const Fit& membranes, double Eh_true, double pretension_true);
+/// What the ladder has beside Eq. 16 and St Venant–Kirchhoff's membrane.
+struct LadderPhysics {
+  std::optional<SheetPhysics> third_order, sheet;
+};
 
-/// Fits Eq. 16 (radius and Poisson's ratio as the run used them) to the run's usable points and sets `fits`
-/// and `scan`, or `fit_skipped` with the reason where there is nothing to trust, and for a pressure.
-void fit_run(Run& run);
+/// Fits every run's usable points: Eq. 16, the membrane itself with the real tip, the third-order law and the
+/// potential's own sheet (for atoms and calibrated continua), as far as all of them go. Sets `fits`, or `fit_skipped`
+/// with the reason where there is nothing to trust, and for a pressure. The recommended one is the last.
+void fit_runs(Result& result, const LadderPhysics& physics);
 
-/// Adds to each closed form's fit its known bias: the like-for-like membrane's curve of the same load (for a membrane
-/// its own), at the depths of the fit, fitted in the same way.
+/// The same for one curve.
+void fit_run(Run& run, const LadderPhysics& physics = {}, const ComputedInputs& inputs = {});
+
+/// Adds to the fits of the atoms what each model reads from the plain membrane of the card's constants at the same
+/// depths, and to every fit its warnings.
 void add_biases(Result& result);
-
-/// Adds to the fits of each run that of the membrane model itself, fitted to the same curve with the real tip. For a
-/// membrane that is a check: it must give back the constants.
-void add_direct_fits(Result& result);
 
 }  // namespace validate

@@ -85,12 +85,16 @@ std::string lower(std::string text) {
 struct Purpose {
   std::string_view flag, base, example;
   std::array<std::string_view, 4> names;
+  bool needs_unit = false;  ///< found by its name only where the unit fits, too
 };
 
 constexpr Purpose depth_column{
     "--depth-column", unit::length, "depth_nm", {"depth", "indentation", "displacement", "deflection"}};
+constexpr Purpose height_column{"--depth-column", unit::length, "z_nm", {"height", "piezo", "z", ""}};
+constexpr Purpose sigma_depth_column{
+    "--sigma-depth-column", unit::length, "sigma_depth_nm", {"sigma_depth", "depth_error", "sigma depth", ""}, true};
 constexpr Purpose force_column{"--force-column", unit::force, "force_nN", {"force", "load", "f", ""}};
-constexpr Purpose sigma_column{"--sigma-column", unit::force, "sigma_nN", {"sigma", "error", "stddev", ""}};
+constexpr Purpose sigma_column{"--sigma-column", unit::force, "sigma_nN", {"sigma", "error", "stddev", ""}, true};
 
 class Table {
  public:
@@ -121,7 +125,9 @@ class Table {
   std::optional<std::size_t> find(const Purpose& purpose, const std::string& choice) const {
     if (!choice.empty()) return chosen(purpose, choice);
     for (std::size_t i = 0; i < header_.cells.size(); ++i) {
-      const std::string name = lower(heading(header_.cells[i], purpose.base).name);
+      const Heading head = heading(header_.cells[i], purpose.base);
+      const std::string name = lower(head.name);
+      if (purpose.needs_unit && !head.factor) continue;
       if (std::ranges::any_of(purpose.names, [&](std::string_view n) {
             return !n.empty() && (name == n || (n.size() > 1 && name.starts_with(n)));
           }))
@@ -197,7 +203,11 @@ MeasuredCurve read_measured(const std::filesystem::path& file, const ColumnChoic
   MeasuredCurve curve;
   curve.file = file;
   curve.remarks = table.remarks();
-  const std::size_t depth = table.need(depth_column, choice.depth), force = table.need(force_column, choice.force);
+  const auto height =
+      choice.depth.empty() && !table.find(depth_column, "") ? table.find(height_column, "") : std::nullopt;
+  curve.depth_from_height = height.has_value();
+  const std::size_t depth = height ? *height : table.need(depth_column, choice.depth),
+                    force = table.need(force_column, choice.force);
   curve.depth_A = table.column(depth, depth_column);
   curve.force_eV_per_A = table.column(force, force_column);
   curve.depth_column = table.name(depth);
@@ -208,6 +218,8 @@ MeasuredCurve read_measured(const std::filesystem::path& file, const ColumnChoic
     if (!std::ranges::all_of(curve.sigma_eV_per_A, [](double s) { return s > 0; }))
       throw bad_input("{}: column '{}' holds a standard deviation that is not > 0", file.string(), curve.sigma_column);
   }
+  if (const auto sigma = table.find(sigma_depth_column, ""))
+    curve.sigma_depth_A = table.column(*sigma, sigma_depth_column);
   return curve;
 }
 

@@ -25,11 +25,11 @@ struct FittedCurve {
   std::string depth_column, force_column;
   int points_read = 0;
   double baseline_eV_per_A = 0;                 ///< taken off
-  std::vector<double> depth_A, force_eV_per_A;  ///< the points used, zeros taken off
-  std::vector<Fit> fits;                        ///< of the closed form, then of the continuum itself
-  std::string continuum;                        ///< what that is, in words
-  std::string direct_skipped;                   ///< why it was not fitted
-  WindowScan scan;
+  std::vector<double> depth_A, force_eV_per_A;  ///< the points used, given zeros taken off
+  std::vector<Fit> fits;           ///< of the closed form, of the membrane itself, of a sheet of another law
+  std::string continuum;           ///< what that last one is, in words; empty: none
+  std::string skipped;             ///< which model was not fitted, and why
+  std::vector<std::string> notes;  ///< what the points cannot tell apart
 };
 
 void describe(SameStruct<FittedCurve> auto& curve, auto&& visit) {
@@ -44,12 +44,12 @@ void describe(SameStruct<FittedCurve> auto& curve, auto&& visit) {
   visit(Field{"force_column", unit::none, "column of the file"}, curve.force_column);
   visit(Field{"points_read", unit::none, "points in the file"}, curve.points_read);
   visit(Field{"baseline", unit::force, "taken off the forces"}, curve.baseline_eV_per_A);
-  visit(Column{"depth", unit::length, "points used, zeros taken off"}, curve.depth_A);
-  visit(Column{"force", unit::force, "points used, zeros taken off"}, curve.force_eV_per_A);
+  visit(Column{"depth", unit::length, "points used, given zeros taken off"}, curve.depth_A);
+  visit(Column{"force", unit::force, "points used, given zeros taken off"}, curve.force_eV_per_A);
   visit(Field{"fits", unit::none, "models fitted to this curve"}, curve.fits);
-  visit(Field{"continuum", unit::none, "the sheet that is fitted itself"}, curve.continuum);
-  visit(Field{"direct_skipped", unit::none, "why the sheet itself was not fitted"}.where_known(), curve.direct_skipped);
-  visit(Field{"window_scan", unit::none, "the closed form's fit against the depth up to which it goes"}, curve.scan);
+  visit(Field{"continuum", unit::none, "the sheet of another law, in words"}.where_known(), curve.continuum);
+  visit(Field{"skipped", unit::none, "which model was not fitted, and why"}.where_known(), curve.skipped);
+  visit(Field{"notes", unit::none, "what the points cannot tell apart"}, curve.notes);
 }
 
 }  // namespace validate

@@ -14,6 +14,7 @@
 #include "compare/results/checks.hpp"
 #include "compare/results/measured.hpp"
 #include "compare/results/provenance.hpp"
+#include "compare/results/published.hpp"
 #include "compare/results/run.hpp"
 #include "compare/results/verdict.hpp"
 
@@ -22,7 +23,7 @@ namespace validate {
 /// Number of the documents' form, in every one of them.
 inline constexpr int document_schema = 2;
 
-enum class Command { indentation, bulge, fit, potential, figure, verify, batch };
+enum class Command { indentation, bulge, fit, potential, figure, verify, batch, published };
 constexpr auto words(Command) {
   return std::array{Word{Command::indentation, "indentation"},
                     Word{Command::bulge, "bulge"},
@@ -30,18 +31,27 @@ constexpr auto words(Command) {
                     Word{Command::potential, "potential"},
                     Word{Command::figure, "figure"},
                     Word{Command::verify, "verify"},
-                    Word{Command::batch, "batch"}};
+                    Word{Command::batch, "batch"},
+                    Word{Command::published, "published"}};
 }
 
 /// The sheet of atoms.
 struct SheetSummary {
   double radius_A = 0, effective_radius_A = 0;
+  double slope_margin_A = 0;  ///< by which the slope of a sheet that bends is held farther out
+  double clamp_radius_error_A = 0, slope_margin_error_A = 0, tip_radius_error_A = 0;  ///< standard errors
   int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
 };
 
 void describe(SameStruct<SheetSummary> auto& sheet, auto&& visit) {
   visit(Field{"radius", unit::length, "nominal radius of the free sheet"}, sheet.radius_A);
   visit(Field{"effective_radius", unit::length, "clamp radius of the paired continuum"}, sheet.effective_radius_A);
+  visit(Field{"slope_margin", unit::length, "by which the slope of a sheet that bends is held farther out"},
+        sheet.slope_margin_A);
+  visit(Field{"clamp_radius_error", unit::length, "standard error of the effective radius"},
+        sheet.clamp_radius_error_A);
+  visit(Field{"slope_margin_error", unit::length, "standard error of that margin"}, sheet.slope_margin_error_A);
+  visit(Field{"tip_radius_error", unit::length, "standard error of a loaded disc's radius"}, sheet.tip_radius_error_A);
   visit(Field{"atoms", unit::none, "atoms, clamped ring included", positive()}, sheet.atoms);
   visit(Field{"free_atoms", unit::none, "atoms that move"}, sheet.free_atoms);
   visit(Field{"loaded_disc_atoms", unit::none, "atoms that carry the disc load"}, sheet.loaded_disc_atoms);
@@ -96,8 +106,10 @@ struct Result {
   std::vector<FittedCurve> curves;    ///< fit
   std::vector<FigureResult> figures;  ///< figure
   int passed = 0, failed = 0;         ///< verify
+  int outside = 0, itself = 0;        ///< verify: rows by the basis of their reference
   std::vector<VerificationRow> rows;  ///< verify
   std::vector<CaseOutcome> cases;     ///< batch
+  std::vector<PublishedRow> beside;   ///< published
 
   Provenance provenance;
 
@@ -161,10 +173,16 @@ void describe(SameStruct<Result> auto& r, auto&& visit) {
     case Command::verify:
       visit(Field{"passed", unit::none, "rows within their tolerance"}, r.passed);
       visit(Field{"failed", unit::none, "rows beyond it"}, r.failed);
+      visit(Field{"outside", unit::none, "rows whose reference is a closed form, a publication or other code"},
+            r.outside);
+      visit(Field{"itself", unit::none, "rows that check the code against itself"}, r.itself);
       visit(Field{"rows", unit::none, "computed beside its reference"}, r.rows);
       break;
     case Command::batch:
       visit(Field{"cases", unit::none, "one entry per case"}, r.cases);
+      break;
+    case Command::published:
+      visit(Field{"rows", unit::none, "published numbers, ours beside them"}, r.beside);
       break;
   }
   visit(Field{"provenance", unit::none, "program, libraries and files behind the numbers"}, r.provenance);

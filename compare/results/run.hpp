@@ -141,10 +141,10 @@ struct Run {
 
   std::variant<ContinuumPart, AtomsPart> part;
 
-  std::vector<Fit> fits;       ///< of the closed form, then of the continuum itself
-  std::string fit_skipped;     ///< why there is none
-  WindowScan scan;             ///< empty where there is no fit
-  CrossSection cross_section;  ///< at the last level, where one is drawn
+  std::vector<Fit> fits;                    ///< of the closed form, then of the continuum itself
+  std::string fit_skipped;                  ///< why there is none
+  std::vector<std::string> models_skipped;  ///< of the models that could be fitted: which was not, and why
+  CrossSection cross_section;               ///< at the last level, where one is drawn
 
   bool is_atomistic() const { return std::holds_alternative<AtomsPart>(part); }
   AtomsPart& atoms() { return std::get<AtomsPart>(part); }
@@ -187,8 +187,8 @@ void describe(Self& run, Visitor&& visit) {
   visit(Field{"part", unit::none, "of the model"}, run.part);
   visit(Field{"fits", unit::none, "models fitted to this curve"}, run.fits);
   visit(Field{"fit_skipped", unit::none, "why there is no fit"}.where_known(), run.fit_skipped);
-  visit(Field{"window_scan", unit::none, "the closed form's fit against the depth up to which it goes"}.where_known(),
-        run.scan);
+  visit(Field{"models_skipped", unit::none, "which of the models was not fitted, and why"}.where_known(),
+        run.models_skipped);
   visit(Field{"cross_section", unit::none, "of the sheet at the last level"}.where_known(), run.cross_section);
 }
 

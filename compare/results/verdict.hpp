@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "compare/base/describe.hpp"
@@ -11,18 +13,48 @@
 
 namespace validate {
 
-/// Whether the atoms are shown to agree with the continuum within the tolerance.
-enum class Outcome { agree, disagree };
-constexpr auto words(Outcome) { return std::array{Word{Outcome::agree, "agree"}, Word{Outcome::disagree, "disagree"}}; }
+/// Whether the atoms are shown to agree with the continuum within the tolerance, shown not to, or neither: what is left
+/// of the tolerance is less than the uncertainty.
+enum class Outcome { agree, disagree, undecided };
+constexpr auto words(Outcome) {
+  return std::array{Word{Outcome::agree, "agree"}, Word{Outcome::disagree, "disagree"},
+                    Word{Outcome::undecided, "undecided"}};
+}
+
+/// Standard uncertainties of a ratio by source, relative.
+struct RatioShares {
+  double mesh = 0, minimiser = 0;                              ///< numerical
+  double clamp_radius = 0, slope_margin = 0, tip_radius = 0;   ///< of the pairing
+  double bending_modulus = 0, elastic_constants = 0, law = 0;  ///< of the card
+};
+
+void describe(SameStruct<RatioShares> auto& shares, auto&& visit) {
+  visit(Field{"mesh", unit::none, "elements of the continuum"}, shares.mesh);
+  visit(Field{"minimiser", unit::none, "forces left on the atoms"}, shares.minimiser);
+  visit(Field{"clamp_radius", unit::none, "radius at which a lattice is clamped"}, shares.clamp_radius);
+  visit(Field{"slope_margin", unit::none, "radius at which its slope is"}, shares.slope_margin);
+  visit(Field{"tip_radius", unit::none, "radius of the loaded disc"}, shares.tip_radius);
+  visit(Field{"bending_modulus", unit::none, "of the card"}, shares.bending_modulus);
+  visit(Field{"elastic_constants", unit::none, "of the card"}, shares.elastic_constants);
+  visit(Field{"law", unit::none, "misfit of the calibrated law"}, shares.law);
+}
 
 /// One depth judged.
 struct JudgedRatio {
   double depth_A = not_known, ratio = not_known;
+  double u_numerical = 0, u_input = 0;  ///< standard uncertainties of the ratio
+  RatioShares shares;
+
+  /// Half width of the 95 % band: twice the standard uncertainty.
+  double expanded() const { return 2 * std::hypot(u_numerical, u_input); }
 };
 
 void describe(SameStruct<JudgedRatio> auto& judged, auto&& visit) {
   visit(Field{"depth", unit::length, "atoms' depth of record"}, judged.depth_A);
   visit(Field{"ratio", unit::none, "F_atoms / F_continuum at that depth"}, judged.ratio);
+  visit(Field{"u_numerical", unit::none, "its standard uncertainty from meshes and the minimiser"}, judged.u_numerical);
+  visit(Field{"u_input", unit::none, "its standard uncertainty from what the continuum is given"}, judged.u_input);
+  visit(Field{"shares", unit::none, "standard uncertainties by source"}, judged.shares);
 }
 
 struct Agreement {
@@ -30,18 +62,26 @@ struct Agreement {
   Model against = Model::sheet;
   std::array<double, 2> window{};  ///< depth / effective radius
   double max_relative_difference = 0, tolerance = 0;
+  double expanded_uncertainty = 0;  ///< largest half width of the 95 % bands of the ratios
+  std::string dominant;             ///< the source that makes most of it
   Outcome outcome = Outcome::disagree;
   std::vector<JudgedRatio> ratios;
 };
 
 void describe(SameStruct<Agreement> auto& agreement, auto&& visit) {
-  visit(Field{"outcome", unit::none, "agree: within the tolerance at every depth judged"}, agreement.outcome);
+  visit(Field{"outcome", unit::none,
+              "agree: difference and uncertainty within the tolerance at every depth judged; disagree: the difference "
+              "exceeds both at some; else undecided"},
+        agreement.outcome);
   visit(Field{"load", unit::none, "load judged"}, agreement.load);
   visit(Field{"against", unit::none, "model of the continuum that the atoms are compared with"}, agreement.against);
   visit(Field{"window", unit::none, "range judged, depth / effective radius"}, agreement.window);
   visit(Field{"max_relative_difference", unit::none, "largest |F_atoms / F_continuum − 1|"},
         agreement.max_relative_difference);
   visit(Field{"tolerance", unit::none, "largest difference that passes"}, agreement.tolerance);
+  visit(Field{"expanded_uncertainty", unit::none, "largest half width of the ratios' 95 % bands"},
+        agreement.expanded_uncertainty);
+  visit(Field{"dominant", unit::none, "the source that makes most of it"}.where_known(), agreement.dominant);
   visit(Field{"ratios", unit::none, "one entry per depth judged"}, agreement.ratios);
 }
 

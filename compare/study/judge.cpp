@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "compare/fitting/fit_warnings.hpp"
 #include "compare/fitting/run_fit.hpp"
 #include "compare/results/sheet_columns.hpp"
 #include "compare/study/cross_section.hpp"
+#include "compare/study/uncertainty.hpp"
 #include "compare/verdict/agreement.hpp"
 
 namespace validate {
@@ -51,7 +51,7 @@ const Run* gave_up(const Result& result) {
 }  // namespace
 
 void judge_all(std::vector<PairedLoad>& loads, const std::map<LoadKind, Anisotropy>& anisotropies,
-               StudyOutcome& outcome) {
+               const LadderPhysics& ladder, StudyOutcome& outcome) {
   Result& result = outcome.result;
   for (const PairedLoad& load : loads)
     if (auto explanation = explanation_of(load, anisotropies)) result.explanations.push_back(std::move(*explanation));
@@ -59,11 +59,11 @@ void judge_all(std::vector<PairedLoad>& loads, const std::map<LoadKind, Anisotro
     if (load.atoms) result.runs.push_back(std::move(load.atoms->run));
   hand_over(loads, {Purpose::given, Purpose::like_for_like, Purpose::paper}, result.runs);
   hand_over(loads, {Purpose::calibrated_membrane, Purpose::calibrated_sheet}, result.runs);
-  for (Run& run : result.runs) fit_run(run);
+  fit_runs(result, ladder);
   add_biases(result);
-  add_direct_fits(result);
-  add_warnings(result);
   judge(result);
+  for (const PairedLoad& load : loads)
+    if (load.load == result.resolved.judged_load) add_uncertainties(result, load);
   compare_curves(result);
 }
 

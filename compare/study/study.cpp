@@ -35,6 +35,15 @@ std::optional<PotentialCard> card_of(const Case& c, const PotentialFile& potenti
   }
 }
 
+/// What the atoms' curves are read with beside Eq. 16 and the membrane.
+LadderPhysics ladder_of(const PotentialCard* card, const Result& result) {
+  if (!card || !card->law) return {};
+  const membrane::CauchyBorn& law = card->law->law;
+  return {third_order_physics(law.nu, third_order_modulus(law), 0),
+          calibrated_physics(law, card->card.bending_modulus_eV(), card->potential.potential.name,
+                             result.sheet ? result.sheet->slope_margin_A : 0)};
+}
+
 /// Solves every curve: the continua in a thread of their own beside the atoms, which are other processes.
 void solve(std::vector<PairedLoad>& loads, const PotentialCard* card, const StudyOptions& options,
            StudyOutcome& outcome, Progress& progress) {
@@ -42,7 +51,7 @@ void solve(std::vector<PairedLoad>& loads, const PotentialCard* card, const Stud
   if (outcome.sheet) compute_atoms(loads, *outcome.sheet, options, outcome, progress);
   outcome.result.timing.membrane_s = continua.join();
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted");
-  judge_all(loads, continua.anisotropies(), outcome);
+  judge_all(loads, continua.anisotropies(), ladder_of(card, outcome.result), outcome);
 }
 
 void run_with_potential(const Case& c, const PotentialFile& potential, const StudyOptions& options,

@@ -134,6 +134,10 @@ Result potential_result(const PotentialCard& card) {
 SheetSummary summary_of(const Case& c, const PairedSheet& pair) {
   return {.radius_A = c.radius_A,
           .effective_radius_A = pair.effective_radius_A(),
+          .slope_margin_A = pair.slope_margin_A(),
+          .clamp_radius_error_A = pair.clamp_radius_error_A(),
+          .slope_margin_error_A = pair.slope_margin_error_A(),
+          .tip_radius_error_A = pair.tip_radius_error_A(),
           .atoms = pair.sheet().atoms(),
           .free_atoms = pair.sheet().free_atoms,
           .loaded_disc_atoms = static_cast<int>(atomistic::atoms_within(pair.sheet(), c.tip_radius_A).size())};

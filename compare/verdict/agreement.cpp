@@ -85,8 +85,10 @@ std::string compare_points(const Run& atoms, const std::vector<std::size_t>& poi
                          to_string(agreement.against), continuum.lowest_A(), continuum.highest_A(), depth);
     }
     const double ratio = load_values(atoms)[i] / *force;
-    agreement.ratios.push_back({depth, ratio});
-    agreement.max_relative_difference = std::max(agreement.max_relative_difference, std::abs(ratio - 1));
+    JudgedRatio judged;
+    judged.depth_A = depth;
+    judged.ratio = ratio;
+    agreement.ratios.push_back(judged);
   }
   return {};
 }
@@ -132,6 +134,27 @@ std::optional<double> depth_at_bond(const Run& run, double bond_A) {
   return std::nullopt;
 }
 
+void settle(Agreement& agreement) {
+  bool all_within = true, one_beyond = false;
+  agreement.max_relative_difference = agreement.expanded_uncertainty = 0;
+  for (const JudgedRatio& judged : agreement.ratios) {
+    const double difference = std::abs(judged.ratio - 1), uncertainty = judged.expanded();
+    all_within = all_within && difference + uncertainty <= agreement.tolerance;
+    one_beyond = one_beyond || difference - uncertainty > agreement.tolerance;
+    agreement.max_relative_difference = std::max(agreement.max_relative_difference, difference);
+    if (uncertainty > agreement.expanded_uncertainty) {
+      agreement.expanded_uncertainty = uncertainty;
+      double largest = 0;
+      describe(judged.shares, [&](const Field& source, double u) {
+        if (u <= largest) return;
+        largest = u;
+        agreement.dominant = source.name;
+      });
+    }
+  }
+  agreement.outcome = all_within ? Outcome::agree : one_beyond ? Outcome::disagree : Outcome::undecided;
+}
+
 void judge(Result& result) {
   const Case& asked = result.resolved;
   result.agreement.reset();
@@ -152,7 +175,7 @@ void judge(Result& result) {
   agreement.tolerance = asked.tolerance;
   result.agreement_skipped = judge_curves(*atoms, *continuum, asked.window_bond_A, agreement);
   if (!result.agreement_skipped.empty()) return;
-  agreement.outcome = agreement.max_relative_difference <= agreement.tolerance ? Outcome::agree : Outcome::disagree;
+  settle(agreement);
   result.agreement = std::move(agreement);
 }
 

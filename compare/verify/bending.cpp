@@ -57,8 +57,8 @@ void von_karman(Ledger& ledger) {
   ledger.equal("centre depth/a at F = 1e-4 Eh a", step.depth_A / a, tabulated("plate_depth.D_1e-5.F_1e-4"), 0.003,
                "slopes squared, 1e-3, are left out there");
   const double bent = step.bending_energy_eV / step.energy_eV;
-  ledger.at_least("share of bending in the energy", bent, closed_form(0.1, "neither vanishes"));
-  ledger.at_most("share of bending in the energy", bent, closed_form(0.9, "neither vanishes"));
+  ledger.at_least("share of bending in the energy", bent, identity(0.1, "neither vanishes"));
+  ledger.at_most("share of bending in the energy", bent, identity(0.9, "neither vanishes"));
 }
 
 /// The same sheet in one dimension, with other elements and other curvatures.
@@ -78,10 +78,10 @@ void finite(Ledger& ledger) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     ledger.begin(fmt::format("sheet of 100 Å with bending, disc of 10 Å, {:g} Å deep", problem.levels[i]));
     ledger.equal("force, eV/Å", steps[i].force_eV_per_A,
-                 Reference{twins[i].force_eV_per_A, "the one-dimensional sheet: other elements, other curvatures"},
+                 identity(twins[i].force_eV_per_A, "the one-dimensional sheet: other elements, other curvatures"),
                  0.003);
     ledger.equal("support force / force", steps[i].support_force_eV_per_A.z() / steps[i].force_eV_per_A,
-                 closed_form(1, "balance of forces"), 1e-6);
+                 identity(1, "balance of forces"), 1e-6);
   }
 }
 

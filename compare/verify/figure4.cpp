@@ -46,10 +46,10 @@ void square(Ledger& ledger, const char* name, Extent extent, const Reference& de
   const SmallerStress at = smaller_cauchy_force(problem, step);
   ledger.equal("upper end of the smaller stress, eV/A^3", at.largest / paper::thickness_A, stress,
                stress_range / stress.value, "thickness from plane stress, natural width where wrinkled");
-  ledger.equal("least stress, eV/A^3", std::min(0.0, at.least) / paper::thickness_A, closed_form(0, "no compression"),
+  ledger.equal("least stress, eV/A^3", std::min(0.0, at.least) / paper::thickness_A, identity(0, "no compression"),
                1e-12);
   ledger.at_most("penetration of symmetry planes / side", step.penetration_A / paper::side_A,
-                 closed_form(1e-6, "bound set for contact"));
+                 identity(1e-6, "bound set for contact"));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace validate::verify {
 namespace {
 
-constexpr std::array all = {
+const std::array all = {
     Group{"laws", "derivatives, objectivity, small strain, misprinted equations", verify_laws},
     Group{"patch", "uniform strain, natural width, slack threshold, Hessians of every energy", verify_patch},
     Group{"point", "point load: Schwerin, alpha(nu), beta(nu), uniform and graded meshes", verify_point},
@@ -27,7 +27,7 @@ std::vector<VerificationRow> run(const Group& group, const OnRow& on_row) {
   try {
     group.run(ledger);
   } catch (const std::exception& failure) {
-    ledger.equal("converged (1: yes)", 0, closed_form(1, "every equilibrium is reached"), 0, failure.what());
+    ledger.equal("converged (1: yes)", 0, identity(1, "every equilibrium is reached"), 0, failure.what());
   }
   return ledger.rows();
 }

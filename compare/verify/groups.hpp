@@ -2,6 +2,7 @@
 // groups.cpp.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -21,7 +22,7 @@ void verify_figure4(Ledger& ledger);
 
 struct Group {
   std::string_view name, what;
-  void (*run)(Ledger&);
+  std::function<void(Ledger&)> run;
 };
 
 std::span<const Group> groups();

@@ -53,10 +53,10 @@ void derivative_orders(Ledger& ledger, const std::string& form, double Eh, Respo
     of_energy = std::min(of_energy, observed_order(energy, 16 * step, 1e-15 * Eh));
     of_force = std::min(of_force, observed_order(force, step, noise));
   }
-  const Reference two = closed_form(2, "psi(E + tV) - psi - t S:V = O(t^2)");
+  const Reference two = identity(2, "psi(E + tV) - psi - t S:V = O(t^2)");
   ledger.equal("order of psi's remainder, " + form, of_energy, two, 0.05, "least over the states");
   if (std::isinf(of_force)) return;  // a linear law: the remainder is rounding
-  ledger.equal("order of S's remainder, " + form, of_force, closed_form(2, "S(E + tV) - S - t dS/dE:V = O(t^2)"), 0.05,
+  ledger.equal("order of S's remainder, " + form, of_force, identity(2, "S(E + tV) - S - t dS/dE:V = O(t^2)"), 0.05,
                "least over the states");
 }
 
@@ -97,7 +97,7 @@ void verify_law(Ledger& ledger, const L& law) {
   derivative_orders(
       ledger, "unrelaxed", Eh, [&](const Voigt& E) { return law(E); }, states());
   ledger.equal("energy's change by rotation / Eh", change_by_rotation(law),
-               closed_form(0, "psi(QF) = psi(F), psi(Q E Q^T) = psi(E)"), 1e-14);
+               identity(0, "psi(QF) = psi(F), psi(Q E Q^T) = psi(E)"), 1e-14);
 
   const double c = Eh / (1 - law.nu * law.nu);
   Eigen::Matrix3d hooke;
@@ -107,14 +107,14 @@ void verify_law(Ledger& ledger, const L& law) {
 
   constexpr double axial = 0.05;
   const Voigt natural(axial, law.natural_width(axial), 0);
-  ledger.equal("S2 / Eh at the natural width", law(natural).force_eV_per_A2[1] / Eh, closed_form(0, "S2 = 0"), 1e-14);
+  ledger.equal("S2 / Eh at the natural width", law(natural).force_eV_per_A2[1] / Eh, identity(0, "S2 = 0"), 1e-14);
   const Voigt taut(axial, natural[1] + 0.1 * std::abs(natural[1]), 0);
   ledger.equal("S1 relaxed / S1 unrelaxed, little wider",
                tension_field(law, taut).force_eV_per_A2[0] / law(taut).force_eV_per_A2[0],
-               closed_form(1, "taut where wider than the natural width"), 1e-15);
+               identity(1, "taut where wider than the natural width"), 1e-15);
   ledger.equal("S1 wrinkled / S1 at natural width",
                tension_field(law, Voigt(axial, -0.3, 0)).force_eV_per_A2[0] / law(natural).force_eV_per_A2[0],
-               closed_form(1, "relaxed energy = least over the width (Pipkin 1986)"), 1e-13);
+               identity(1, "relaxed energy = least over the width (Pipkin 1986)"), 1e-13);
 }
 
 }  // namespace

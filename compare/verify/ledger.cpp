@@ -16,7 +16,7 @@ void Ledger::add(std::string quantity, double computed, Relation relation, Refer
                     : relation == Relation::at_most ? over <= slack
                                                     : over >= -slack;
   rows_.push_back({group_, name_, std::move(quantity), computed, relation, reference.value, std::move(reference.origin),
-                   error, tolerance, pass, std::move(note)});
+                   reference.basis, error, tolerance, pass, std::move(note)});
   on_row_(rows_.back());
 }
 
@@ -43,7 +43,7 @@ void Ledger::converging(const std::string& quantity, const MeshPair& values, con
   const double coarse_error = std::abs(values.coarse - reference.value);
   const double fine_error = std::abs(values.fine - reference.value);
   equal(quantity + ", observed order", std::log(coarse_error / fine_error) / std::log(values.refinement),
-        closed_form(order, "order of the mesh's error"), order_tolerance / order, values.meshes);
+        identity(order, "order of the mesh's error"), order_tolerance / order, values.meshes);
 }
 
 }  // namespace validate::verify

@@ -27,8 +27,8 @@ Problem case1(double tip_A, int rings) {
 
 void contact(Ledger& ledger, const Step& step, double tip_A) {
   ledger.equal("support force / tip force", step.support_force_eV_per_A.z() / step.force_eV_per_A,
-               closed_form(1, "balance of forces"), 1e-8);
-  ledger.at_most("penetration / tip radius", step.penetration_A / tip_A, closed_form(1e-6, "bound set for contact"));
+               identity(1, "balance of forces"), 1e-8);
+  ledger.at_most("penetration / tip radius", step.penetration_A / tip_A, identity(1e-6, "bound set for contact"));
 }
 
 /// Where contact ends within an element changes from mesh to mesh: it takes a refinement of 8 to see the

@@ -30,17 +30,20 @@ TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
   bool sheared = false;
   for (const json& row : document["rows"]) {
     EXPECT_TRUE(row["pass"]);
-    EXPECT_FALSE(row["origin"].get<std::string>().empty());
-    if (row["quantity"] == "S1/Eh" && row["case"] == "simple shear 0.1, wrinkled") {
+    EXPECT_FALSE(row["source"].get<std::string>().empty());
+    if (row["quantity"] == "S1/Eh" && row["name"] == "simple shear 0.1, wrinkled") {
       sheared = true;
-      EXPECT_NEAR(row["computed"].get<double>(), 0.0525625, 1e-7);
+      EXPECT_NEAR(row["ours"].get<double>(), 0.0525625, 1e-7);
     }
   }
   EXPECT_TRUE(sheared);
+  EXPECT_GT(document["outside"], 0);
+  EXPECT_EQ(document["outside"].get<std::size_t>() + document["itself"].get<std::size_t>(), rows);
+  EXPECT_NE(outcome.out.find("check the code against itself"), std::string::npos);
   std::ifstream csv(folder.path() / "out" / "verify.csv");
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note");
+  EXPECT_EQ(line, "group,name,quantity,ours,relation,published,source,basis,relative_error,tolerance,pass,note");
   std::size_t lines = 0;
   while (std::getline(csv, line)) ++lines;
   EXPECT_EQ(lines, rows);
@@ -66,6 +69,8 @@ TEST(VerifyCommand, BadInputIsNamed) {
   };
   expect({"verify", "membrane", "--group", "pont"}, "did you mean 'point'?");
   expect({"verify", "membran"}, "did you mean 'membrane'?");
+  expect({"verify", "atoms", "--group", "force"}, "did you mean 'forces'?");
+  expect({"verify", "membrane", "--potential", "tersoff"}, "--potential");
   expect({"verify"}, "what");
   expect({"verify", "membrane", "--break", "half-shear"}, "unknown flag '--break'");  // in test builds only
 }

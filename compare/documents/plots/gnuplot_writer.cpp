@@ -211,7 +211,8 @@ std::string splot(const Plot& plot, std::size_t p) {
       clauses.push_back(fmt::format("{} using 1:2:(0){} with {} notitle", curve_block(p, c),
                                     panel.curves[c].value.empty() ? "" : ":3", style(panel.curves[c])));
   return map_place(plot, p) +
-         "set pm3d map corners2color c1 scansbackward @map_border\nunset key\nset border 31 lw 0.5\nset xlabel offset 0,0.4\nset "
+         "set pm3d map corners2color c1 scansbackward @map_border\nunset key\nset border 31 lw 0.5\nset xlabel offset "
+         "0,0.4\nset "
          "ylabel offset "
          "1,0\n" +
          colour_commands(panel) + fmt::format("splot {}\n", fmt::join(clauses, ", \\\n     "));

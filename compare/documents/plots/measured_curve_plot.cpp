@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "compare/base/units.hpp"
-#include "compare/fitting/fit_intervals.hpp"
-#include "compare/fitting/models/list.hpp"
 
 namespace validate {
 namespace {
@@ -43,31 +41,11 @@ PlotCurve with(PlotCurve curve, std::optional<Line> line, std::optional<Points> 
 constexpr Points small{.size = 0.5};
 constexpr Line dashed{.dash = Dash::dashed};
 
-/// The fitted closed form, offsets included, as a dense line.
-PlotCurve closed_form_curve(const FittedCurve& result) {
-  const Fit& fit = *closed_form_fit(result.fits);
-  const ModelGeometry geometry{
-      .a_A = result.radius_A, .nu = result.nu, .tip_A = result.tip_radius_A, .bending_eV = result.bending_modulus_eV};
-  const AnyCurveModel model = with_offsets(closed_form(result.model, "model").make(geometry),
-                                           fit.depth_offset_A.has_value(), fit.force_offset_eV_per_A.has_value());
-  std::vector<double> parameters = {fit.Eh_eV_per_A2, fit.pretension_eV_per_A2};
-  if (fit.depth_offset_A) parameters.push_back(*fit.depth_offset_A);
-  if (fit.force_offset_eV_per_A) parameters.push_back(*fit.force_offset_eV_per_A);
-  std::vector<double> depth, force;
-  for (int i = 1; i <= 200; ++i) {
-    depth.push_back(fit.window_A[1] * i / 200);
-    force.push_back(model.value(depth.back(), parameters));
-  }
-  return with(force_curve(result.model, depth, force, colour_of_membrane), Line{}, {});
-}
-
-std::string itself(const Fit& direct) { return direct.model + " itself"; }
-
-/// The fit of the continuum itself, back on the curve's zero of force.
-PlotCurve direct_curve(const Fit& closed, const Fit& direct) {
-  std::vector<double> force = direct.model_force_eV_per_A;
-  for (double& f : force) f += closed.force_offset_eV_per_A.value_or(0);
-  return with(force_curve(itself(direct), direct.fitted_depth_A, force, Colour::vermilion), dashed, {});
+/// A fitted model at the points' depths.
+PlotCurve fitted_curve(const Fit& fit, std::size_t index) {
+  const std::string name = fit.model + (of_continuum(fit) ? " itself" : "");
+  return with(force_curve(name, fit.fitted_depth_A, fit.model_force_eV_per_A, nth_colour(index)),
+              Line{.dash = index == 0 ? Dash::solid : Dash::dashed}, {});
 }
 
 Panel force_panel(const char* label, const char* key) {
@@ -77,11 +55,10 @@ Panel force_panel(const char* label, const char* key) {
           .legend = Legend::left_top};
 }
 
-/// A parameter against the window. It goes to very different values in short windows: the panel shows the fitted value
-/// ± 30 %, or 8 errors.
-Panel scan_panel(const FittedCurve& result, const std::string& model, const Axis& axis,
-                 const std::vector<double>& scanned, double value, double error, const Fit* direct,
-                 double direct_value) {
+/// A parameter of the closed form against the window, and the fit to quote beside it. It goes to very different values
+/// in short windows: the panel shows the fitted value ± 30 %, or 8 errors.
+Panel scan_panel(const WindowScan& scan, const std::string& model, const Axis& axis, const std::vector<double>& scanned,
+                 double value, double error, const Fit* direct, double direct_value) {
   const double reach = std::max(0.3 * std::abs(value), 8 * error);
   Panel panel{.title = {},
               .x = {.label = "largest depth fitted", .unit = "nm", .key = "depth_max_nm", .low = 0},
@@ -90,13 +67,13 @@ Panel scan_panel(const FittedCurve& result, const std::string& model, const Axis
   panel.y.low = N_per_m_per_eV_per_A2 * (value - reach);
   panel.y.high = N_per_m_per_eV_per_A2 * (value + reach);
   panel.curves.push_back({.name = model,
-                          .x = times(result.scan.depth_max_A, nm_per_A),
+                          .x = times(scan.depth_max_A, nm_per_A),
                           .y = times(scanned, N_per_m_per_eV_per_A2),
                           .colour = colour_of_membrane,
                           .line = Line{.width = 1},
                           .points = small});
   if (direct)
-    panel.curves.push_back({.name = itself(*direct),
+    panel.curves.push_back({.name = direct->model + " itself",
                             .x = {0, nm_per_A * direct->window_A[1]},
                             .y = std::vector<double>(2, N_per_m_per_eV_per_A2 * direct_value),
                             .colour = Colour::vermilion,
@@ -108,23 +85,26 @@ Panel scan_panel(const FittedCurve& result, const std::string& model, const Axis
 
 Plot measured_plot(const FittedCurve& result) {
   const Fit& fit = *closed_form_fit(result.fits);
+  const Fit* quoted = recommended_fit(result.fits);
+  if (!quoted) quoted = &fit;
   Panel force = force_panel("force", "force_nN"), residual = force_panel("residual", "residual_nN");
-  force.curves = {with(force_curve("data", result.depth_A, result.force_eV_per_A, Colour::grey), {}, small),
-                  closed_form_curve(result)};
-  const Fit* direct = continuum_fit(result.fits);
-  if (direct) force.curves.push_back(direct_curve(fit, *direct));
+  force.x.low = residual.x.low = std::nullopt;
+  force.curves = {with(force_curve("data", result.depth_A, result.force_eV_per_A, Colour::grey), {}, small)};
+  for (std::size_t i = 0; i < result.fits.size(); ++i) force.curves.push_back(fitted_curve(result.fits[i], i));
   residual.curves = {with(
-      force_curve("data − " + result.model, fit.fitted_depth_A, fit.residual_eV_per_A, colour_of_membrane), {}, small)};
+      force_curve("data − " + quoted->model, quoted->fitted_depth_A, quoted->residual_eV_per_A, colour_of_membrane), {},
+      small)};
   residual.marks = {{.along = Along::y, .at = 0}};
+  const Fit* direct = of_continuum(*quoted) ? quoted : nullptr;
   const double pretension_error = std::max(fit.pretension_stderr_eV_per_A2, std::abs(fit.pretension_eV_per_A2) / 10);
   return {
       .title = std::filesystem::path(result.file).filename().string(),
       .panels = {std::move(force), std::move(residual),
-                 scan_panel(result, result.model, {.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"},
-                            result.scan.Eh_eV_per_A2, fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, direct,
+                 scan_panel(fit.scan, result.model, {.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"},
+                            fit.scan.Eh_eV_per_A2, fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, direct,
                             direct ? direct->Eh_eV_per_A2 : 0),
-                 scan_panel(result, result.model, {.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"},
-                            result.scan.pretension_eV_per_A2, fit.pretension_eV_per_A2, pretension_error, direct,
+                 scan_panel(fit.scan, result.model, {.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"},
+                            fit.scan.pretension_eV_per_A2, fit.pretension_eV_per_A2, pretension_error, direct,
                             direct ? direct->pretension_eV_per_A2 : 0)},
       .columns = 2,
       .width = 1000,

@@ -10,20 +10,30 @@
 namespace validate {
 namespace {
 
-/// One window is no scan.
-std::vector<const Run*> scanned(const Result& result) {
-  std::vector<const Run*> runs;
+/// A model's readings of a curve.
+struct Scanned {
+  const Run* run;
+  const Fit* fit;
+};
+
+/// Of the atoms Eq. 16 and the fit to quote, of a continuum that is known the first; one window is no scan.
+std::vector<Scanned> scanned(const Result& result) {
+  std::vector<Scanned> found;
   for (const Run& run : result.runs) {
     const bool calibrated = run.model == Model::membrane && run.constants == Constants::calibrated;
-    if (run.scan.depth_max_A.size() > 1 && run.constants != Constants::paper && !calibrated) runs.push_back(&run);
+    if (run.constants == Constants::paper || calibrated) continue;
+    for (const Fit& fit : run.fits)
+      if (fit.scan.depth_max_A.size() > 1 && (&fit == &run.fits.front() || (run.is_atomistic() && fit.recommended)))
+        found.push_back({&run, &fit});
   }
-  return runs;
+  return found;
 }
 
-void add_curve(Panel& panel, const Run& run, Colour colour, double depth_factor, const std::vector<double>& values) {
+void add_curve(Panel& panel, const Scanned& of, Colour colour, double depth_factor, const std::vector<double>& values) {
+  const std::string model = of.run->is_atomistic() ? "atoms" : std::string(to_string(of.run->model));
   PlotCurve curve{
-      .name = fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : to_string(run.model), run.load),
-      .x = run.scan.depth_max_A,
+      .name = fmt::format("{}, {}, {}", model, of.run->load, of.fit->model == "eq16" ? "Eq. 16" : of.fit->model),
+      .x = of.fit->scan.depth_max_A,
       .y = values,
       .colour = colour,
       .line = Line{},
@@ -53,10 +63,10 @@ void add_known(Panel& panel, std::vector<double> known_eV_per_A2) {
 }  // namespace
 
 Plot window_scan_plot(const Result& result) {
-  const std::vector<const Run*> runs = scanned(result);
+  const std::vector<Scanned> runs = scanned(result);
   if (runs.empty()) return {};
   // Depths of drums are read in nm.
-  const bool nm = std::ranges::any_of(runs, [](const Run* run) { return run->scan.depth_max_A.back() > 100; });
+  const bool nm = std::ranges::any_of(runs, [](const Scanned& of) { return of.fit->scan.depth_max_A.back() > 100; });
   const Axis depth{
       .label = "largest depth fitted", .unit = nm ? "nm" : "Å", .key = nm ? "depth_max_nm" : "depth_max_A", .low = 0};
   Panel modulus{
@@ -65,11 +75,11 @@ Plot window_scan_plot(const Result& result) {
   pretension.y = {.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"};
   std::vector<double> known_modulus, known_pretension;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Run& run = *runs[i];
-    add_curve(modulus, run, nth_colour(i), nm ? 0.1 : 1, run.scan.Eh_eV_per_A2);
-    add_curve(pretension, run, nth_colour(i), nm ? 0.1 : 1, run.scan.pretension_eV_per_A2);
-    known_modulus.push_back(run.Eh_eV_per_A2);
-    known_pretension.push_back(run.pretension_eV_per_A2);
+    const WindowScan& scan = runs[i].fit->scan;
+    add_curve(modulus, runs[i], nth_colour(i), nm ? 0.1 : 1, scan.Eh_eV_per_A2);
+    add_curve(pretension, runs[i], nth_colour(i), nm ? 0.1 : 1, scan.pretension_eV_per_A2);
+    known_modulus.push_back(runs[i].run->Eh_eV_per_A2);
+    known_pretension.push_back(runs[i].run->pretension_eV_per_A2);
   }
   add_known(modulus, known_modulus);
   add_known(pretension, known_pretension);

@@ -70,7 +70,7 @@ void columns_of(const Run& run, Emit&& emit) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::vector<double>>) {
       if (&values != &run.force_eV_per_A) return;
       for (std::size_t i = 0; i < values.size(); ++i) cells[i] = cell(values[i] * nN_per_eV_per_A);
-      emit(in_unit(field, nanonewton), cells);
+      emit(in_unit(field, unit::nanonewton), cells);
     }
   };
   describe(run, Parts{on_column, [](const Field&, const auto&) {}});

@@ -7,6 +7,7 @@
 
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
 
@@ -37,13 +38,16 @@ std::string verdict(const Result& result) {
   return fmt::format(
       "<p class=\"verdict {}\"><b>{}</b>: over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force "
       "differs from "
-      "{} by at most {:.2f} % (tolerance {:.2f} %).</p>\n",
-      a.outcome == Outcome::agree ? "good" : "bad", a.outcome == Outcome::agree ? "Agreement" : "Disagreement",
+      "{} by at most {:.2f} %, uncertain by up to ± {:.2f} % (95 %); the tolerance is {:.2f} %.</p>\n",
+      a.outcome == Outcome::agree ? "good" : "bad",
+      a.outcome == Outcome::agree      ? "Agreement"
+      : a.outcome == Outcome::disagree ? "Disagreement"
+                                       : "Undecided",
       a.window[0], a.window[1], to_string(a.load),
       a.against == Model::sheet
           ? "that of the sheet that the potential's own law makes, with bending and no fitted number,"
           : "the like-for-like membrane's",
-      100 * a.max_relative_difference, 100 * a.tolerance);
+      100 * a.max_relative_difference, 100 * a.expanded_uncertainty, 100 * a.tolerance);
 }
 
 std::string heading(const Result& result) {
@@ -60,62 +64,6 @@ std::string heading(const Result& result) {
                                    result.sheet->effective_radius_A)
                      : "");
   return text;
-}
-
-/// What Eq. 16 and the membrane itself read as one constant.
-struct Reading {
-  const char* name;
-  int digits;
-  double Run::*truth;
-  double Fit::*value;
-  double Fit::*error;
-  double FitBias::*corrected;
-  std::string (*bias)(const FitBias&);
-};
-
-const Reading readings[] = {
-    {"E·h", 1, &Run::Eh_eV_per_A2, &Fit::Eh_eV_per_A2, &Fit::Eh_stderr_eV_per_A2, &FitBias::Eh_corrected_eV_per_A2,
-     [](const FitBias& b) { return fmt::format("{:+.1f} %", 100 * (b.Eh_read_eV_per_A2 / b.Eh_true_eV_per_A2 - 1)); }},
-    {"pretension", 3, &Run::pretension_eV_per_A2, &Fit::pretension_eV_per_A2, &Fit::pretension_stderr_eV_per_A2,
-     &FitBias::pretension_corrected_eV_per_A2, [](const FitBias& b) {
-       return fmt::format("{:+.3f}", in_N_per_m(b.pretension_read_eV_per_A2 - b.pretension_true_eV_per_A2));
-     }}};
-
-std::vector<std::string> row_of(const Run& run, const Reading& of) {
-  const std::string format = fmt::format("{{:.{}f}}", of.digits);
-  std::vector<std::string> row = {name_of(run), number(in_N_per_m(run.*of.truth), format.c_str()), "no fit", "–", "–",
-                                  "–"};
-  const Fit* const fit = closed_form_fit(run.fits);
-  if (!fit) return row;
-  row[2] = with_error_N_per_m(fit->*of.value, fit->*of.error, of.digits);
-  if (fit->bias) {
-    row[3] = of.bias(*fit->bias);
-    row[4] = number(in_N_per_m(*fit->bias.*of.corrected), format.c_str());
-  }
-  if (const Fit* const direct = continuum_fit(run.fits))
-    row[5] = with_error_N_per_m(direct->*of.value, direct->*of.error, of.digits);
-  return row;
-}
-
-/// A table a constant, so that each fits a phone and a page.
-std::string headline_tables(const Result& result) {
-  std::string text = "<h2>E·h and pretension (N/m)</h2>\n";
-  for (const Reading& reading : readings) {
-    Rows rows;
-    for (const Run& run : result.runs) rows.push_back(row_of(run, reading));
-    text += html::table({reading.name, "true", "Eq. 16", "its bias", "corrected", "membrane itself"}, rows);
-  }
-  for (const Run& run : result.runs)
-    if (run.fits.empty())
-      text += "<p>" + html::escaped(name_of(run)) + ": no fit: " + html::escaped(run.fit_skipped) + "</p>\n";
-  return text +
-         "<p class=\"soft\">True: the constants of the membrane, or of the potential from small strains. Its bias: "
-         "what "
-         "Eq. 16 reads from the like-for-like membrane over the same depths, whose constants are known. Membrane "
-         "itself: "
-         "the finite-strain membrane with the real tip, E·h and pretension free. Errors are standard errors of the fit "
-         "and know nothing of the bias. What is left between the membrane itself and true, for atoms, is what the "
-         "membrane lacks: bending, which reads as pretension, and the softening of the bonds.</p>\n";
 }
 
 std::string regimes(const Comparison& c, double tolerance) {
@@ -176,29 +124,14 @@ std::string comparisons(const Result& result) {
 }
 
 std::string fits(const Result& result) {
-  Rows rows;
   std::string warnings;
-  for (const Run& run : result.runs) {
-    const Fit* found = closed_form_fit(run.fits);
-    if (!found) continue;
-    const Fit& fit = *found;
-    rows.push_back({name_of(run), interval_N_per_m(fit.Eh_interval_eV_per_A2, 1),
-                    number(in_N_per_m(fit.Eh_bootstrap_eV_per_A2), "{:.2f}"),
-                    interval_N_per_m(fit.pretension_interval_eV_per_A2, 3),
-                    number(in_N_per_m(fit.pretension_bootstrap_eV_per_A2), "{:.3f}"), number(fit.correlation, "{:.3f}"),
-                    number(fit.condition_number, "{:.1f}"), number(fit.r_squared, "{:.6f}"),
-                    number(100 * fit.rms_relative, "{:.3f}"), fmt::format("{}", fit.points),
-                    fmt::format("{:.3g} … {:.3g}", fit.window_A[0], fit.window_A[1])});
-    for (const std::string& warning : fit.warnings)
-      warnings += "<li>" + html::escaped(name_of(run)) + ": " + html::escaped(warning) + "</li>\n";
-  }
-  if (rows.empty()) return {};
-  std::string text = "<h2>How far to trust the fits</h2>\n" +
-                     html::table({"Eq. 16 fitted to", "E·h 95 %", "bootstrap ±", "pretension 95 %", "bootstrap ±",
-                                  "correlation", "condition", "R²", "rms %", "points", "depths (Å)"},
-                                 rows);
-  if (!warnings.empty()) text += "<ul>\n" + warnings + "</ul>\n";
-  return text;
+  for (const Run& run : result.runs)
+    for (const Fit& fit : run.fits)
+      for (const std::string& warning : fit.warnings)
+        warnings +=
+            "<li>" + html::escaped(name_of(run) + ", " + model_in_words(fit.model) + ": " + warning) + "</li>\n";
+  if (warnings.empty()) return {};
+  return "<h2>How far to trust the fits</h2>\n<ul>\n" + warnings + "</ul>\n";
 }
 
 /// What the softness of a sphere's contact does to its curve.
@@ -256,7 +189,7 @@ std::string experiment_summary(const Result& result) {
   const std::string pressed = pressed_table(result);
   const bool indented = result.runs.empty() ||
                         std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
-  return heading(result) + (indented ? verdict(result) + headline_tables(result) : std::string()) +
+  return heading(result) + (indented ? verdict(result) + ladder_html(result) : std::string()) +
          (pressed.empty() ? pressed : html::preformatted(pressed));
 }
 

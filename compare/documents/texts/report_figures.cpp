@@ -130,6 +130,7 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
     case Command::figure:
     case Command::verify:
     case Command::batch:
+    case Command::published:
       return {};
   }
   return all;

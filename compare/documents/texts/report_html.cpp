@@ -10,6 +10,7 @@
 #include "compare/documents/texts/card_files.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/measured_report.hpp"
+#include "compare/documents/texts/published_table.hpp"
 #include "compare/documents/texts/report_experiment.hpp"
 
 namespace validate {
@@ -69,6 +70,8 @@ std::string shown_on_terminal(const Result& result) {
       return batch_table(result);
     case Command::indentation:
     case Command::bulge:
+    case Command::published:
+      return published_text(result.beside);
     case Command::figure:
     case Command::verify:
       return {};

@@ -15,13 +15,15 @@ nlohmann::ordered_json schema_of(Command command);
 /// The file in inputs/: a property of a plain value on one line.
 std::string schema_text(Command command);
 
-/// A schema by the name of its file in inputs/ (NAME.schema.json): summary, fit, card, figure, verify, batch.
+/// A schema by the name of its file in inputs/ (NAME.schema.json): summary, fit, card, figure, verify, batch,
+/// published.
 struct NamedSchema {
   std::string_view name;
   Command command;
 };
 inline constexpr NamedSchema named_schemas[] = {{"summary", Command::indentation}, {"fit", Command::fit},
                                                 {"card", Command::potential},      {"figure", Command::figure},
-                                                {"verify", Command::verify},       {"batch", Command::batch}};
+                                                {"verify", Command::verify},       {"batch", Command::batch},
+                                                {"published", Command::published}};
 
 }  // namespace validate

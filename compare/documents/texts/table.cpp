@@ -13,6 +13,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/documents/texts/explanation_text.hpp"
+#include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
 
@@ -41,72 +42,18 @@ void sentence(std::string& text, fmt::format_string<Parts...> format, Parts&&...
   text += '\n';
 }
 
-// Run, E·h (N/m, eV/Å²), card's E·h, pretension, correlation, rms, points, last point, ended.
-using Row = std::array<std::string, 10>;
-
-const Row headings = {"Eq. 16 fitted to", "E·h",  "E·h", "card", "pretension", "corr", "rms", "pts",
-                      "last force",       "ended"};
-const Row units = {"", "N/m ± error", "eV/Å²", "N/m", "N/m ± error", "", "%", "", "eV/Å @ Å", ""};
-
-void add_row(std::string& text, const Row& cell) {
-  const std::string line = fmt::format("{:<25}{:>13}{:>7}{:>7}  {:>15}{:>7}{:>6}{:>5}  {:>14}  {}", cell[0], cell[1],
-                                       cell[2], cell[3], cell[4], cell[5], cell[6], cell[7], cell[8], cell[9]);
-  text.append(line, 0, line.find_last_not_of(' ') + 1) += '\n';
-}
-
 std::string name_of(const Run& run) {
   const std::string name = fmt::format("{} {}", to_string(run.model), to_string(run.load));
   return run.constants ? fmt::format("{} {}", name, to_string(*run.constants)) : name;
 }
 
-// The deepest point reached, artefact zone included.
-std::string last_point(const Run& run) {
-  for (std::size_t i = run.depth_A.size(); i-- > 0;) {
-    if (run.converged[i]) return fmt::format("{:.4g} @ {:.4g}", run.force_eV_per_A[i], run.depth_A[i]);
-  }
-  return "-";
-}
-
-Row row_of(const Run& run, const std::string& card) {
-  const std::string ended(to_string(run.ended));
-  const Fit* found = closed_form_fit(run.fits);
-  if (!found) return {name_of(run), "-", "-", card, "-", "-", "-", "-", last_point(run), ended};
-  const Fit& fit = *found;
-  return {name_of(run),
-          with_error_N_per_m(fit.Eh_eV_per_A2, fit.Eh_stderr_eV_per_A2, 1),
-          number(fit.Eh_eV_per_A2, "{:.2f}"),
-          card,
-          with_error_N_per_m(fit.pretension_eV_per_A2, fit.pretension_stderr_eV_per_A2, 3),
-          number(fit.correlation, "{:.2f}"),
-          number(100 * fit.rms_relative, "{:.2f}"),
-          fmt::format("{}", fit.points),
-          last_point(run),
-          ended};
-}
-
-// What the fit is known to get wrong, and what is left when that is taken out.
-void add_corrections(std::string& text, const std::vector<Run>& runs) {
-  const auto biased = [](const Run& run) {
-    const Fit* fit = closed_form_fit(run.fits);
-    return fit && fit->bias ? fit : nullptr;
-  };
-  if (std::ranges::none_of(runs, biased)) return;
-  const auto line = [&](const std::array<std::string, 6>& cell) {
-    const std::string row =
-        fmt::format("{:<25}{:>16}{:>12}{:>18}{:>18}{:>18}", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5]);
-    text.append(row, 0, row.find_last_not_of(' ') + 1) += '\n';
-  };
-  line({"Bias known, removed", "Eq. 16 reads", "corrected", "membrane itself", "corrected", "membrane itself"});
-  line({"", "E·h of membrane", "E·h (N/m)", "E·h (N/m)", "pretension (N/m)", "pretension (N/m)"});
+// How far each curve goes, artefact zone included.
+void add_ends(std::string& text, const std::vector<Run>& runs) {
   for (const Run& run : runs) {
-    if (!biased(run)) continue;
-    const FitBias& bias = *biased(run)->bias;
-    const Fit* direct = continuum_fit(run.fits);
-    line({name_of(run), fmt::format("{:+.1f} %", 100 * (bias.Eh_read_eV_per_A2 / bias.Eh_true_eV_per_A2 - 1)),
-          number(in_N_per_m(bias.Eh_corrected_eV_per_A2), "{:.1f}"),
-          direct ? with_error_N_per_m(direct->Eh_eV_per_A2, direct->Eh_stderr_eV_per_A2, 1) : "",
-          number(in_N_per_m(bias.pretension_corrected_eV_per_A2), "{:.3f}"),
-          direct ? with_error_N_per_m(direct->pretension_eV_per_A2, direct->pretension_stderr_eV_per_A2, 3) : ""});
+    std::string last = "-";
+    for (std::size_t i = 0; i < run.depth_A.size(); ++i)
+      if (run.converged[i]) last = fmt::format("{:.4g} eV/Å at {:.4g} Å", run.force_eV_per_A[i], run.depth_A[i]);
+    text += fmt::format("{:<28}{:<26}{}\n", name_of(run), last, to_string(run.ended));
   }
   text += '\n';
 }
@@ -129,12 +76,16 @@ void add_notes(std::string& text, const Result& result, const Run& run) {
         100 * c->force_change_at_equal_depth_relative);
   }
   if (!fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
+  for (const std::string& skipped : run.models_skipped) sentence(text, "{}: not fitted: {}", name_of(run), skipped);
   const bool law_left = run.constants == Constants::calibrated && run.ended != Ended::not_converged;  // what laws do
   if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
-  if (!fit || (run.constants && run.constants != Constants::given)) return;  // bias: shown above
-  for (const std::string& warning : fit->warnings) sentence(text, "{}: {}", name_of(run), warning);
+  if (!fit || (run.constants && run.constants != Constants::given)) return;
+  for (const Fit& one : run.fits)
+    for (const std::string& warning : one.warnings)
+      if (one.recommended || &one == fit)
+        sentence(text, "{}, {}: {}", name_of(run), model_in_words(one.model), warning);
 }
 
 // The judged point that differs most, in words.
@@ -143,6 +94,12 @@ std::string worst_point(const Agreement& agreement) {
   const auto difference = [](const JudgedRatio& judged) { return std::abs(judged.ratio - 1); };
   const JudgedRatio& worst = *std::ranges::max_element(agreement.ratios, {}, difference);
   return fmt::format(" (at {:.4g} Å: atoms / {} = {:.4f})", worst.depth_A, to_string(agreement.against), worst.ratio);
+}
+
+// "clamp_radius" as words.
+std::string source_in_words(std::string source) {
+  std::ranges::replace(source, '_', ' ');
+  return source;
 }
 
 // Where the atoms follow the membrane, and why not elsewhere.
@@ -179,26 +136,31 @@ void add_verdict(std::string& text, const Result& result, bool colour) {
     return;
   }
   const Agreement& agreement = *result.agreement;
-  const bool agrees = agreement.outcome == Outcome::agree;
-  if (colour) text += agrees ? "\033[1;32m" : "\033[1;31m";
-  text += agrees ? "AGREEMENT" : "DISAGREEMENT";
+  const char* colours[] = {"\033[1;32m", "\033[1;31m", "\033[1;33m"};  // by outcome
+  const char* words[] = {"AGREEMENT", "DISAGREEMENT", "UNDECIDED"};
+  const auto outcome = static_cast<std::size_t>(agreement.outcome);
+  if (colour) text += colours[outcome];
+  text += words[outcome];
   if (colour) text += "\033[0m";
   text += '\n';
   sentence(text,
            "Over depth/a from {:.2f} to {:.2f} of the {} load the atoms' force differs from the {}'s ({}) "
-           "by at most {:.2f} %{}; the tolerance is {:.2f} %.",
+           "by at most {:.2f} %{}; the ratios are uncertain by up to ± {:.2f} % (95 %{}); the tolerance is {:.2f} %.",
            agreement.window[0], agreement.window[1], to_string(agreement.load), to_string(agreement.against),
            constants_of(agreement), 100 * agreement.max_relative_difference, worst_point(agreement),
+           100 * agreement.expanded_uncertainty,
+           agreement.dominant.empty() ? std::string() : ", mostly the " + source_in_words(agreement.dominant),
            100 * agreement.tolerance);
+  if (agreement.outcome == Outcome::undecided)
+    sentence(text, "Neither agreement nor disagreement within the tolerance is shown: {} is what to know better.",
+             agreement.dominant.empty() ? std::string("nothing") : "the " + source_in_words(agreement.dominant));
 }
 
 void add_fits(std::string& text, const Result& result, const std::vector<Run>& runs) {
-  add_row(text, headings);
-  add_row(text, units);
-  const std::string card = result.card ? number(in_N_per_m(result.card->Eh_eV_per_A2), "{:.1f}") : "-";
-  for (const Run& run : runs) add_row(text, row_of(run, card));
+  text += ladder_text(result);
+  for (const std::string& one : ladder_sentences(result)) sentence(text, "{}", one);
   text += '\n';
-  add_corrections(text, runs);
+  add_ends(text, runs);
   const std::size_t before_notes = text.size();
   for (const Run& run : runs) add_notes(text, result, run);
   if (text.size() > before_notes) text += '\n';
@@ -234,10 +196,11 @@ std::string table(const Result& result, bool colour) {
                        [](const Run& run) { return run.load != LoadKind::pressure; });
   if (indented.empty()) return text + ended_early(result);
   if (!pressed.empty()) text += '\n';
+  add_verdict(text, result, colour);
+  text += '\n';
   add_fits(text, result, indented);
   text += explanation_text(result);
   add_regimes(text, result);
-  add_verdict(text, result, colour);
   return text;
 }
 

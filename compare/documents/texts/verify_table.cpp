@@ -23,6 +23,14 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+std::string basis_text(const std::vector<VerificationRow>& rows) {
+  const Result result = verification_result(rows);
+  return fmt::format(
+      "\n{} rows: {} rest on numbers from outside (closed forms, publications, codes written separately), {} check "
+      "the code against itself\n",
+      rows.size(), result.outside, result.itself);
+}
+
 std::string verification_text(const std::vector<VerificationRow>& rows) {
   std::size_t widest_case = 4, widest_quantity = 8;
   for (const VerificationRow& row : rows) {
@@ -37,14 +45,14 @@ std::string verification_text(const std::vector<VerificationRow>& rows) {
                         row.group, row.name, widest_case, row.quantity, widest_quantity, row.computed, row.relation,
                         row.reference, of_equals(row, row.relative_error), of_equals(row, row.tolerance), row.origin,
                         row.note.empty() ? "" : " (" + row.note + ")");
-  return text;
+  return text + basis_text(rows);
 }
 
 std::string verification_csv(const std::vector<VerificationRow>& rows) {
-  std::string text = "group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note\n";
+  std::string text = "group,name,quantity,ours,relation,published,source,basis,relative_error,tolerance,pass,note\n";
   for (const VerificationRow& row : rows)
-    text += fmt::format("{},{},{},{:.12g},{},{:.12g},{},{:.3e},{:.3e},{},{}\n", row.group, quoted(row.name),
-                        quoted(row.quantity), row.computed, row.relation, row.reference, quoted(row.origin),
+    text += fmt::format("{},{},{},{:.12g},{},{:.12g},{},{},{:.3e},{:.3e},{},{}\n", row.group, quoted(row.name),
+                        quoted(row.quantity), row.computed, row.relation, row.reference, quoted(row.origin), row.basis,
                         row.relative_error, row.tolerance, row.pass, quoted(row.note));
   return text;
 }
@@ -55,6 +63,8 @@ Result verification_result(std::vector<VerificationRow> rows) {
   result.rows = std::move(rows);
   result.passed = static_cast<int>(std::ranges::count_if(result.rows, &VerificationRow::pass));
   result.failed = static_cast<int>(result.rows.size()) - result.passed;
+  result.outside = static_cast<int>(std::ranges::count(result.rows, Basis::outside, &VerificationRow::basis));
+  result.itself = static_cast<int>(result.rows.size()) - result.outside;
   if (result.failed == 0) return result;
   result.exit_code = static_cast<int>(ExitCode::disagreement);
   result.exit_reason = fmt::format("{} of {} rows fail", result.failed, result.rows.size());

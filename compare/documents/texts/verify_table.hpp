@@ -8,10 +8,11 @@
 
 namespace validate {
 
-/// One line a row: verdict, case, quantity, computed, reference, relative error, tolerance, origin.
+/// One line a row: verdict, case, quantity, computed, reference, relative error, tolerance, origin. Below, how many
+/// rows rest on what.
 std::string verification_text(const std::vector<VerificationRow>& rows);
 
-/// Header group,case,quantity,computed,relation,reference,origin,relative_error,tolerance,pass,note; texts in
+/// Header group,name,quantity,ours,relation,published,source,basis,relative_error,tolerance,pass,note; texts in
 /// quotes.
 std::string verification_csv(const std::vector<VerificationRow>& rows);
 

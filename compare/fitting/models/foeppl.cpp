@@ -271,29 +271,27 @@ FoepplCurve::FoepplCurve(double nu, double tip) {
   for (std::size_t i = xi_.size() - 1; i-- > 1;) curvature_[i] -= above[i] * curvature_[i + 1];
 }
 
-double FoepplCurve::reduced(double xi, double* derivative) const {
+FoepplCurve::Along FoepplCurve::reduced(double xi) const {
   const auto after = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(xi_, xi) - xi_.begin(), 1,
                                                 static_cast<std::ptrdiff_t>(xi_.size()) - 1);
   const auto i = static_cast<std::size_t>(after) - 1;
-  const double h = xi_[i + 1] - xi_[i], b = (xi - xi_[i]) / h, a = 1 - b;
-  *derivative =
-      (ratio_[i + 1] - ratio_[i]) / h + h / 6 * ((3 * b * b - 1) * curvature_[i + 1] - (3 * a * a - 1) * curvature_[i]);
-  return a * ratio_[i] + b * ratio_[i + 1] +
-         h * h / 6 * ((a * a * a - a) * curvature_[i] + (b * b * b - b) * curvature_[i + 1]);
+  const double h = xi_[i + 1] - xi_[i], b = (xi - xi_[i]) / h, a = 1 - b, from = curvature_[i], to = curvature_[i + 1];
+  return {a * ratio_[i] + b * ratio_[i + 1] + h * h / 6 * ((a * a * a - a) * from + (b * b * b - b) * to),
+          (ratio_[i + 1] - ratio_[i]) / h + h / 6 * ((3 * b * b - 1) * to - (3 * a * a - 1) * from), a * from + b * to};
 }
 
 // Below 0 (a fit may look there) the first-order line goes on.
-double FoepplCurve::g(double eta) const {
-  double derivative = 0;
-  const double line = alpha_ + beta_ * pi * eta;
-  return eta <= 0 ? line : line * reduced(std::log1p(eta), &derivative);
+FoepplCurve::Along FoepplCurve::along(double eta) const {
+  const double rise = beta_ * pi, line = alpha_ + rise * eta;
+  if (eta <= 0) return {line, rise, 0};
+  const Along r = reduced(std::log1p(eta));
+  const double inner = 1 / (1 + eta);  // dξ/dη
+  return {line * r.value, rise * r.value + line * r.first * inner,
+          (2 * rise * r.first + line * (r.second - r.first) * inner) * inner};
 }
 
-double FoepplCurve::slope(double eta) const {
-  if (eta <= 0) return beta_ * pi;
-  double derivative = 0;
-  const double ratio = reduced(std::log1p(eta), &derivative);
-  return beta_ * pi * ratio + (alpha_ + beta_ * pi * eta) * derivative / (1 + eta);
-}
+double FoepplCurve::g(double eta) const { return along(eta).value; }
+
+double FoepplCurve::slope(double eta) const { return along(eta).first; }
 
 }  // namespace validate

@@ -49,8 +49,13 @@ class FoepplCurve {
   double g(double eta) const;
   double slope(double eta) const;  ///< dg/dη
 
+  struct Along {
+    double value = 0, first = 0, second = 0;
+  };
+  Along along(double eta) const;  ///< g and its derivatives
+
  private:
-  double reduced(double xi, double* derivative) const;  // g/(α + βπη) over ln(1 + η)
+  Along reduced(double xi) const;  // g/(α + βπη) over ln(1 + η)
   double alpha_ = 0, beta_ = 0;
   std::vector<double> xi_, ratio_, curvature_;  // of a natural cubic spline
 };

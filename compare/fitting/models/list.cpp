@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "compare/base/errors.hpp"
@@ -61,12 +62,15 @@ AnyCurveModel tip_pretension(const ModelGeometry& m) {
 /// Contact radius b from δ = (b²/Rt)(ln(a/b) + ½), then F = 2π σ0h b²/Rt. The contact grows with δ until b =
 /// a.
 double sphere_contact(double depth, double a, double Rt) {
-  double low = 0, high = a;
-  for (int i = 0; i < 100; ++i) {
-    const double b = (low + high) / 2;
-    (b * b / Rt * (std::log(a / b) + 0.5) < depth ? low : high) = b;
+  double low = 0, high = a, b = std::min(std::sqrt(depth * Rt), a / 2);
+  for (int i = 0; i < 100 && high - low > 1e-15 * a; ++i) {
+    const double miss = b * b / Rt * (std::log(a / b) + 0.5) - depth;
+    (miss < 0 ? low : high) = b;
+    const double next = b - miss * Rt / (2 * b * std::log(a / b));  // Newton's step where it stays inside
+    const double last = std::exchange(b, next > low && next < high ? next : (low + high) / 2);
+    if (std::abs(b - last) < 1e-14 * b) break;
   }
-  return (low + high) / 2;
+  return b;
 }
 AnyCurveModel sphere_pretension(const ModelGeometry& m) {
   const double a = m.a_A, Rt = m.tip_A;
@@ -83,10 +87,8 @@ AnyCurveModel sphere_pretension(const ModelGeometry& m) {
 }
 
 AnyCurveModel plate(const ModelGeometry& m) {
-  const double c = relative_tip(m), shape = c > 0 ? 4 - 4 * c * c * std::log(1 / c) - 3 * c * c : 4;
-  const FoepplCurve curve(m.nu, c);
-  return cubic_and_linear(curve.alpha() / (m.a_A * m.a_A), curve.beta() * pi,
-                          64 * pi * m.bending_eV / (shape * m.a_A * m.a_A));
+  const FoepplCurve curve(m.nu, relative_tip(m));
+  return cubic_and_linear(curve.alpha() / (m.a_A * m.a_A), curve.beta() * pi, plate_stiffness(m));
 }
 
 /// A disc of the sheet's own size is a pressure: p = F/(π a²).
@@ -134,6 +136,11 @@ constexpr std::array forms = {
 };
 
 }  // namespace
+
+double plate_stiffness(const ModelGeometry& m) {
+  const double c = relative_tip(m), shape = c > 0 ? 4 - 4 * c * c * std::log(1 / c) - 3 * c * c : 4;
+  return 64 * pi * m.bending_eV / (shape * m.a_A * m.a_A);
+}
 
 std::span<const ClosedForm> closed_forms() { return forms; }
 

@@ -16,6 +16,9 @@ struct ModelGeometry {
   double bending_eV = 0;  ///< bending modulus κ
 };
 
+/// Force over depth (eV/Å²) of a clamped plate under a uniform load on its tip, w at the centre.
+double plate_stiffness(const ModelGeometry& geometry);
+
 enum class TipShape { none, disc, sphere };
 
 /// A model with the parameters E·h and σ0·h (eV/Å²), of the depth δ (Å). It gives the force (eV/Å), or the

@@ -75,7 +75,7 @@ TEST_F(Measured, WhatIsWrongIsNamedWithItsLine) {
   expect("", {"empty", "depth_nm,force_nN"});
   expect("depth,force_nN\n1,2\n", {":1:", "'depth' has no unit", "depth_nm"});
   expect("depth_kg,force_nN\n1,2\n", {"no unit that a length"});
-  expect("height_nm,force_nN\n1,2\n", {"no column for depth", "height_nm", "--depth-column"});
+  expect("breadth_nm,force_nN\n1,2\n", {"no column for depth", "breadth_nm", "--depth-column"});
   expect("depth_nm,force_nN\n1,2\n2,x\n", {":3:", "'x'", "force_nN"});
   expect("depth_nm,force_nN\n1,nan\n", {":2:", "'nan'"});
   expect("depth_nm,force_nN\n1,2,3\n", {":2:", "3 cells", "2"});
@@ -89,7 +89,6 @@ MeasuredOptions drum(double tip_A = 165) {
   MeasuredOptions options;
   options.geometry = {5000, 0.165, tip_A, 0};
   options.sphere = false;
-  options.fit.bootstrap_samples = 0;
   return options;
 }
 
@@ -115,27 +114,71 @@ TEST(MeasuredFit, ZerosAreFoundOrTakenOff) {
   EXPECT_NEAR(closed_form_fit(given.fits)->Eh_eV_per_A2 / 21.35, 1, 1e-6);
   EXPECT_NEAR(closed_form_fit(given.fits)->pretension_eV_per_A2 / 0.0212, 1, 1e-5);
   options.contact_A = 0;
-  options.depth_min_A = 60;
-  options.fit_contact = options.fit_force_zero = true;
+  options.free.contact = options.free.force_zero = true;
   options.baseline_to_A.reset();
   const FittedCurve found = evaluate(synthetic(40, 3), options);
   ASSERT_TRUE(closed_form_fit(found.fits));
   const Fit& fit = *closed_form_fit(found.fits);
-  EXPECT_NEAR(*fit.depth_offset_A, 40, 0.05);
-  EXPECT_NEAR(*fit.force_offset_eV_per_A, 3, 0.01);
-  EXPECT_EQ(fit.correlation_matrix.size(), 16u);
-  EXPECT_GT(*fit.depth_offset_stderr_A, 0);
-  EXPECT_NEAR(fit.Eh_eV_per_A2 / 21.35, 1, 1e-3);
+  EXPECT_NEAR(*fit.contact_nm, 4, 0.1);
+  EXPECT_NEAR(*fit.force_zero_nN, 3 * nN_per_eV_per_A, 0.05);
+  EXPECT_GT(*fit.contact_stderr_nm, 0);
+  EXPECT_NEAR(fit.Eh_eV_per_A2 / 21.35, 1, 5e-3);
 }
 
-TEST(MeasuredFit, TheBiasIsKnownAndTakenOut) {
+TEST(MeasuredFit, AConstantAddedToDepthAndForceChangesNothing) {
+  MeasuredOptions options = drum();
+  options.free.contact = options.free.force_zero = true;
+  options.sigma_force_eV_per_A = 1;
+  options.sigma_depth_A = 5;
+  const FittedCurve here = evaluate(synthetic(40, 3), options), there = evaluate(synthetic(-260, -11), options);
+  ASSERT_EQ(here.fits.size(), 2u) << here.skipped;
+  ASSERT_EQ(there.fits.size(), 2u) << there.skipped;
+  for (std::size_t i = 0; i < here.fits.size(); ++i) {
+    EXPECT_NEAR(there.fits[i].Eh_eV_per_A2 / here.fits[i].Eh_eV_per_A2, 1, 1e-7) << here.fits[i].model;
+    EXPECT_NEAR(there.fits[i].pretension_eV_per_A2 / here.fits[i].pretension_eV_per_A2, 1, 1e-6);
+    EXPECT_NEAR(there.fits[i].Eh_interval_eV_per_A2[0] / here.fits[i].Eh_interval_eV_per_A2[0], 1, 1e-6);
+    EXPECT_NEAR(*there.fits[i].contact_nm - *here.fits[i].contact_nm, -30, 1e-5);
+  }
+}
+
+TEST(MeasuredFit, TheBiasOfTheClosedFormIsSaid) {
   const FittedCurve result = evaluate(synthetic(0, 0), drum());
-  const Fit *fit = closed_form_fit(result.fits), *direct = continuum_fit(result.fits);
-  ASSERT_TRUE(fit && fit->bias && direct) << result.direct_skipped;
+  const Fit *fit = closed_form_fit(result.fits), *quoted = recommended_fit(result.fits);
+  ASSERT_TRUE(fit && fit->bias && quoted) << result.skipped;
   EXPECT_GT(fit->Eh_eV_per_A2 / 21.35, 1.15);
-  EXPECT_NEAR(fit->bias->Eh_corrected_eV_per_A2 / 21.35, 1, 0.005);
-  EXPECT_NEAR(fit->bias->pretension_corrected_eV_per_A2 / 0.0212, 1, 0.01);
-  EXPECT_NEAR(direct->Eh_eV_per_A2 / 21.35, 1, 0.005);
+  EXPECT_NEAR(fit->bias->Eh_read_eV_per_A2 / fit->Eh_eV_per_A2, 1, 1e-3);
+  EXPECT_EQ(quoted->model, fitted_membrane);
+  EXPECT_NEAR(quoted->Eh_eV_per_A2 / 21.35, 1, 0.005);
+}
+
+TEST(MeasuredFit, AnUncertainRadiusIsTwiceAsUncertainInTheModulus) {
+  MeasuredOptions options = drum();
+  options.sigma_force_eV_per_A = 0.1;
+  options.sigma_depth_A = 0;
+  options.errors.geometry.a_A = 50;  // 1 %
+  options.errors.force_scale_relative = 0.03;
+  const FittedCurve result = evaluate(synthetic(0, 0), options);
+  const Fit* fit = closed_form_fit(result.fits);
+  ASSERT_TRUE(fit);
+  const auto share = [&](const char* name) {
+    const auto source = std::ranges::find(fit->sources, name, &ErrorSource::name);
+    return source == fit->sources.end() ? 0 : source->Eh_eV_per_A2 / fit->Eh_eV_per_A2;
+  };
+  EXPECT_NEAR(share("radius"), 0.02, 3e-4);
+  EXPECT_NEAR(share("spring constant"), 0.03, 1e-3);
+  EXPECT_NEAR(fit->Eh_stderr_eV_per_A2 / fit->Eh_eV_per_A2, std::hypot(0.02, 0.03), 1e-3);
+}
+
+TEST(MeasuredFit, HeightsBecomeDepths) {
+  MeasuredOptions options = drum();
+  options.model = "foeppl";
+  options.spring_constant_eV_per_A2 = 0.5;
+  MeasuredCurve curve = synthetic(0, 0);
+  curve.depth_from_height = true;
+  for (std::size_t i = 0; i < curve.depth_A.size(); ++i) curve.depth_A[i] += curve.force_eV_per_A[i] / 0.5;
+  EXPECT_NEAR(closed_form_fit(evaluate(curve, options).fits)->Eh_eV_per_A2 / 21.35, 1, 1e-6);
+  options.spring_constant_eV_per_A2.reset();
+  EXPECT_THROW(evaluate(curve, options), Error);
 }
 
 TEST(MeasuredFit, RefusesWhatCannotBeFitted) {
@@ -143,7 +186,7 @@ TEST(MeasuredFit, RefusesWhatCannotBeFitted) {
   options.depth_min_A = 790;
   EXPECT_THROW(evaluate(synthetic(0, 0), options), Error);
   options = drum();
-  options.fit.weighting = Weighting::sigma;
+  options.weighting = Weighting::sigma;
   EXPECT_THROW(evaluate(synthetic(0, 0), options), Error);
   MeasuredCurve pulled = synthetic(0, 0);
   for (double& f : pulled.force_eV_per_A) f = -f;
@@ -169,10 +212,19 @@ TEST(FitWarnings, NoneForAFitWithoutReproach) { EXPECT_TRUE(fit_warnings(good_fi
 
 TEST(FitWarnings, EachHasItsCause) {
   Fit fit = good_fit();
+  fit.pretension_interval_eV_per_A2 = {-0.01, 0.05};
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "cannot be told from none"));
+  fit = good_fit();
+  fit.runs_z = 4;
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "ordered along the depth"));
+  fit = good_fit();
+  fit.chi2_per_dof = 3;
+  EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "χ² per degree of freedom is 3.00"));
+  fit = good_fit();
   fit.pretension_eV_per_A2 = -0.02;
   EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "negative"));
   fit = good_fit();
-  fit.bias = FitBias{20, 28, 0.02, 0.01, 14, 0.03};
+  fit.bias = FitBias{20, 28, 0.02, 0.01};
   EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "looks good"));
   EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "40.0 % too high"));
   EXPECT_TRUE(says(fit_warnings(fit, {.a_A = 110}), "pretension is read 50 % too low"));

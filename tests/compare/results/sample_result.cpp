@@ -144,7 +144,7 @@ LawSummary law() {
 Result full() {
   Result result;
   result.law = law();
-  result.sheet = SheetSummary{110, a_A, 17244, 15000, 126};
+  result.sheet = SheetSummary{110, a_A, 0.6, 0.1, 0.1, 0.1, 17244, 15000, 126};
   result.card = airebo_card();
   result.runs = {
       atomistic_run(LoadKind::point, 1.10, 0.0145),          atomistic_run(LoadKind::disc, 1.45, 0.0095),

@@ -53,7 +53,7 @@ std::vector<PairedLoad> solved(double atoms_stiffness) {
 
 StudyOutcome judged(std::vector<PairedLoad> loads) {
   StudyOutcome outcome;
-  judge_all(loads, {}, outcome);
+  judge_all(loads, {}, {}, outcome);
   settle_exit(outcome);
   return outcome;
 }

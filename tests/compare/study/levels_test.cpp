@@ -93,7 +93,7 @@ TEST(Levels, TheVerdictsWindowIsBracketed) {
   solve(membrane, false);
   const Numbers& depths = membrane.run.depth_A;
   ASSERT_EQ(depths.size(), levels.size());
-  const double a = 15 + 0.75 * sample::bond_A, margin = 0.05;
+  const double a = pairing.sheet().effective_radius_A(), margin = 0.05;
   const auto between = [&](double lo, double hi) {
     return std::ranges::any_of(depths, [&](double depth) { return depth >= lo && depth <= hi; });
   };

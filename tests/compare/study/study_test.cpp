@@ -65,7 +65,8 @@ TEST_F(Study, TakesTheCurveAndFitsTheConstantsThatMadeIt) {
   EXPECT_DOUBLE_EQ(outcome.result.card->Eh_eV_per_A2, 20 * (1 - 0.25 * 0.25));
   // Eq. 16: c1 = π σ0h, c3 = E·h q³/a².
   const double nu = 0.25, a = outcome.result.sheet->effective_radius_A, q = 1 / (1.05 - 0.15 * nu - 0.16 * nu * nu);
-  EXPECT_NEAR(a, 15 + 0.75 * 1.42, 0.01);
+  const double bond = outcome.result.card->a0_A / std::sqrt(3.0), atoms_area = 0.75 * std::sqrt(3.0) * bond * bond;
+  EXPECT_NEAR(a, std::sqrt(outcome.result.sheet->free_atoms * atoms_area / std::numbers::pi) + 0.44 * bond, 1e-9);
   EXPECT_NEAR(closed_form_fit(atoms->fits)->pretension_eV_per_A2, 0.5 / std::numbers::pi, 1e-9);
   EXPECT_NEAR(closed_form_fit(atoms->fits)->Eh_eV_per_A2, 0.02 * a * a / (q * q * q), 1e-6);
 }

@@ -251,4 +251,43 @@ TEST(Comparison, NeedsBothCurves) {
   EXPECT_TRUE(result.comparisons.empty());
 }
 
+JudgedRatio uncertain(double ratio, double u) {
+  JudgedRatio judged;
+  judged.depth_A = 10;
+  judged.ratio = ratio;
+  judged.u_input = judged.shares.clamp_radius = u;
+  return judged;
+}
+
+Outcome outcome_of(std::vector<JudgedRatio> ratios) {
+  Agreement agreement;
+  agreement.tolerance = 0.01;
+  agreement.ratios = std::move(ratios);
+  settle(agreement);
+  return agreement.outcome;
+}
+
+TEST(Settle, AgreementNeedsRoomForTheUncertaintyAtEveryDepth) {
+  EXPECT_EQ(outcome_of({uncertain(1.004, 0.0029), uncertain(0.998, 0.003)}), Outcome::agree);
+  EXPECT_EQ(outcome_of({uncertain(1.004, 0.0031), uncertain(0.998, 0.003)}), Outcome::undecided);
+}
+
+TEST(Settle, DisagreementNeedsADifferenceBeyondToleranceAndUncertainty) {
+  EXPECT_EQ(outcome_of({uncertain(1, 0.001), uncertain(0.97, 0.0099)}), Outcome::disagree);
+  EXPECT_EQ(outcome_of({uncertain(1, 0.001), uncertain(0.97, 0.0101)}), Outcome::undecided);
+  EXPECT_EQ(outcome_of({uncertain(1.0101, 0)}), Outcome::disagree);
+  EXPECT_EQ(outcome_of({uncertain(1.0099, 0)}), Outcome::agree);
+}
+
+TEST(Settle, NamesTheSourceThatDominates) {
+  Agreement agreement;
+  agreement.tolerance = 0.01;
+  agreement.ratios = {uncertain(1.002, 0.004), uncertain(0.995, 0.001)};
+  agreement.ratios[0].shares.law = 0.001;
+  settle(agreement);
+  EXPECT_EQ(agreement.dominant, "clamp_radius");
+  EXPECT_NEAR(agreement.expanded_uncertainty, 0.008, 1e-12);
+  EXPECT_NEAR(agreement.max_relative_difference, 0.005, 1e-12);
+}
+
 }  // namespace

@@ -39,7 +39,7 @@ TEST_P(RunH5Read, GivesBackNothingWhereThereWasNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Commands, RunH5Read,
                          testing::Values(Command::indentation, Command::bulge, Command::fit, Command::potential,
-                                         Command::figure, Command::verify, Command::batch),
+                                         Command::figure, Command::verify, Command::batch, Command::published),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
 TEST(RunH5ReadMore, IncompleteResultsToo) {
@@ -105,16 +105,20 @@ TEST(RunH5ReadMore, HoldsTheWayBackAndWhyThereIsNoLaw) {
 
 TEST(RunH5ReadMore, KeepsTheFitsAndTheirWarnings) {
   Result result = sample::full();
-  Fit direct;
-  direct.model = fitted_membrane;
-  direct.pretension_stderr_eV_per_A2 = 0.002;
-  result.runs[1].fits.push_back(direct);
-  closed_form_fit(result.runs[1].fits)->warnings = {"one", "two: κ"};
+  Fit& first = result.runs[1].fits.at(0);
+  first.warnings = {"one", "two: κ"};
+  first.sources = {{"noise", 0.1, 0.002}, {"radius", 0.05, 0}};
+  first.contact_nm = 3.2;
   const Result read = there_and_back(result);
-  ASSERT_TRUE(continuum_fit(read.runs[1].fits));
-  EXPECT_EQ(continuum_fit(read.runs[1].fits)->pretension_stderr_eV_per_A2, 0.002);
-  EXPECT_EQ(closed_form_fit(read.runs[1].fits)->warnings, closed_form_fit(result.runs[1].fits)->warnings);
-  EXPECT_FALSE(continuum_fit(read.runs[0].fits));
+  ASSERT_EQ(read.runs[1].fits.size(), result.runs[1].fits.size());
+  const Fit& back = read.runs[1].fits[0];
+  EXPECT_EQ(back.warnings, first.warnings);
+  ASSERT_EQ(back.sources.size(), 2u);
+  EXPECT_EQ(back.sources[1].name, "radius");
+  EXPECT_EQ(back.sources[1].Eh_eV_per_A2, 0.05);
+  EXPECT_EQ(back.contact_nm, 3.2);
+  EXPECT_EQ(back.scan.depth_max_A, first.scan.depth_max_A);
+  EXPECT_EQ(recommended_fit(read.runs[1].fits)->model, recommended_fit(result.runs[1].fits)->model);
 }
 
 TEST(RunH5ReadMore, RefusesWhatIsNoRun) {

@@ -92,10 +92,10 @@ TEST(WindowScan, TwoPanelsInNewtonPerMetreWithTheKnownValueOnce) {
   EXPECT_EQ(plot.panels[1].y.key, "pretension_N_per_m");
   const std::vector<std::string> all = names(plot.panels[0]);
   EXPECT_EQ(std::ranges::count(all, "known"), 1);
-  EXPECT_EQ(std::ranges::count(all, "membrane, disc"), 1);  // neither the paper's nor the calibrated one
-  const PlotCurve& atoms = curve(plot.panels[0], "atoms, point");
-  EXPECT_EQ(atoms.x, result.runs[0].scan.depth_max_A);
-  EXPECT_DOUBLE_EQ(atoms.y[0], N_per_m_per_eV_per_A2 * result.runs[0].scan.Eh_eV_per_A2[0]);
+  EXPECT_EQ(std::ranges::count(all, "membrane, disc, Eq. 16"), 1);  // neither the paper's nor the calibrated one
+  const PlotCurve& atoms = curve(plot.panels[0], "atoms, point, Eq. 16");
+  EXPECT_EQ(atoms.x, result.runs[0].fits[0].scan.depth_max_A);
+  EXPECT_DOUBLE_EQ(atoms.y[0], N_per_m_per_eV_per_A2 * result.runs[0].fits[0].scan.Eh_eV_per_A2[0]);
   EXPECT_DOUBLE_EQ(curve(plot.panels[0], "known").y[0], N_per_m_per_eV_per_A2 * result.runs[0].Eh_eV_per_A2);
   EXPECT_TRUE(window_scan_plot(Result{}).panels.empty());
 }
@@ -103,10 +103,11 @@ TEST(WindowScan, TwoPanelsInNewtonPerMetreWithTheKnownValueOnce) {
 TEST(WindowScan, DrumsAreInNanometres) {
   Result drum = sample::full();
   for (auto& run : drum.runs)
-    for (double& depth : run.scan.depth_max_A) depth *= 100;
+    for (Fit& fit : run.fits)
+      for (double& depth : fit.scan.depth_max_A) depth *= 100;
   const Panel panel = window_scan_plot(drum).panels.at(0);
   EXPECT_EQ(panel.x.key, "depth_max_nm");
-  EXPECT_DOUBLE_EQ(curve(panel, "atoms, point").x[0], 0.1 * drum.runs[0].scan.depth_max_A[0]);
+  EXPECT_DOUBLE_EQ(curve(panel, "atoms, point, Eq. 16").x[0], 0.1 * drum.runs[0].fits[0].scan.depth_max_A[0]);
 }
 
 TEST(ExplanationBars, SharesAddUpToTheAtoms) {

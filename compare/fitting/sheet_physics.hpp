@@ -1,4 +1,4 @@
-// The membrane model itself as the curve that is fitted: E·h and pretension free, the real tip.
+// What a sheet that is fitted itself is made of, and the membrane's problem for it.
 #pragma once
 
 #include <functional>
@@ -6,21 +6,28 @@
 #include <string>
 #include <vector>
 
-#include "compare/results/result.hpp"
+#include "compare/results/fit.hpp"
 #include "membrane/laws/list.hpp"
+#include "membrane/problem.hpp"
 
 namespace validate {
 
 /// What a sheet is made of beside E·h and ν, where it is not the paper's membrane.
 struct SheetPhysics {
   std::function<membrane::Law(double Eh_eV_per_A2)> law;  ///< a law of any sheet modulus
+  bool scales = false;                                    ///< its stresses are in proportion to the sheet modulus
   double bending_eV = 0;                                  ///< κ; a sheet that bends is not relaxed
+  double slope_margin_A = 0;                              ///< by which its slope is held farther out than its rim
   std::string name;                                       ///< in words
   std::string model = fitted_sheet;                       ///< as Fit::model has it
 };
 
 /// The potential's own law, its stress in proportion to the sheet modulus.
-SheetPhysics calibrated_physics(const membrane::CauchyBorn& law, double bending_eV, const std::string& potential);
+SheetPhysics calibrated_physics(const membrane::CauchyBorn& law, double bending_eV, const std::string& potential,
+                                double slope_margin_A = 0);
+
+/// D of S = E·h E + D E² for a law under uniaxial stress: least squares over strains to 5 %, eV/Å².
+double third_order_modulus(const membrane::CauchyBorn& law);
 
 /// Lee et al.'s law of third order: D stays when E·h changes.
 SheetPhysics third_order_physics(double nu, double D_eV_per_A2, double bending_eV);
@@ -32,19 +39,17 @@ struct MembraneTip {
   double record_radius_A = 0;                          ///< where the depth is taken; 0: the centre
   bool sphere = false;                                 ///< rigid and frictionless; else a dead load
   std::optional<SheetPhysics> physics = std::nullopt;  ///< absent: the paper's membrane
+
+  bool is_sphere() const { return sphere && tip_A > 0; }
+  double bending_eV() const { return physics ? physics->bending_eV : 0; }
 };
 
-struct MembraneFitReport {
-  bool converged = false;
-  std::string reason;  ///< why not
-  int iterations = 0;  ///< curves of the membrane that were solved
-  Fit fit;  ///< with the forces of the fitted sheet; `torn_at`: where a sheet that softens was last found, and beyond
-            ///< which its law lets it tear: deeper points are left out
-};
+/// On its meridian, at controlled depths (Å).
+membrane::Problem problem_of(const MembraneTip& tip, const membrane::Law& law, double pretension_eV_per_A2,
+                             std::vector<double> depth_A);
 
-/// Forces (eV/Å) of a membrane at depths of record (Å). Throws std::runtime_error where the membrane is not solved.
-std::vector<double> membrane_forces(const MembraneTip& tip, double Eh_eV_per_A2, double pretension_eV_per_A2,
-                                    const std::vector<double>& depth_A);
+/// The law of the tip's sheet at a sheet modulus.
+membrane::Law law_of(const MembraneTip& tip, double Eh_eV_per_A2);
 
 struct SheetCurve {
   std::vector<double> depth_A, force_eV_per_A;
@@ -55,13 +60,5 @@ struct SheetCurve {
 /// fails.
 SheetCurve sheet_curve(const MembraneTip& tip, const membrane::Law& law, double pretension_eV_per_A2,
                        const std::vector<double>& depth_A);
-
-/// Least squares with the finite-strain membrane (or the tip's sheet), solved in one dimension. A closed form (the
-/// shallow membrane, or for a sphere its limits) gives the derivatives: its curve, times the ratio of the two models at
-/// the last E·h and pretension, is fitted until neither changes by more than 1e-5. The ratio changes little, so few
-/// curves are enough. `sigma` (eV/Å) weights the points; empty: all alike. Where the tip's own sheet ends before the
-/// curve, it is fitted as far as it goes. Not converging is reported, not thrown.
-MembraneFitReport fit_membrane(const MembraneTip& tip, const std::vector<double>& depth_A,
-                               const std::vector<double>& force_eV_per_A, const std::vector<double>& sigma_eV_per_A);
 
 }  // namespace validate
