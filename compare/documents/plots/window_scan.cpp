@@ -36,7 +36,7 @@ void add_curve(Panel& panel, const Scanned& of, Colour colour, double depth_fact
       .x = of.fit->scan.depth_max_A,
       .y = values,
       .colour = colour,
-      .line = Line{},
+      .line = Line{.dash = of.run->is_atomistic() ? Dash::solid : Dash::dashed},
       .points = Points{.size = 0.6}};
   for (double& depth : curve.x) depth *= depth_factor;
   for (double& value : curve.y) value *= N_per_m_per_eV_per_A2;
