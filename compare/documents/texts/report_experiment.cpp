@@ -24,11 +24,6 @@ std::string name_of(const Run& run) {
                      run.constants == Constants::calibrated ? "law" : "constants");
 }
 
-std::string interval_N_per_m(const std::array<double, 2>& ends, int digits) {
-  if (!std::isfinite(ends[0]) || !std::isfinite(ends[1])) return "–";
-  return fmt::format("{:.{}f} … {:.{}f}", in_N_per_m(ends[0]), digits, in_N_per_m(ends[1]), digits);
-}
-
 std::string verdict(const Result& result) {
   if (!result.agreement)
     return fmt::format(
