@@ -72,7 +72,9 @@ TEST(PublishedFile, TheShippedOneIsReadAndTellsOnlyWhatIsPublished) {
     EXPECT_TRUE(names.insert(e.name).second) << e.name << " occurs twice";
     EXPECT_FALSE(e.source.empty());
     EXPECT_TRUE(e.comparable || !e.reason.empty()) << e.name;
-    if (e.conditions.find("300 K") != std::string::npos) EXPECT_FALSE(e.comparable) << e.name;
+    if (e.conditions.find("300 K") != std::string::npos) {
+      EXPECT_FALSE(e.comparable) << e.name;
+    }
   }
   const auto nicholl =
       std::ranges::find_if(entries, [](const Entry& e) { return e.quantity == Subject::biaxial_stiffness; });
