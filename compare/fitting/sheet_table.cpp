@@ -18,7 +18,7 @@
 namespace validate {
 namespace {
 
-constexpr int knots = 33;  ///< of the splines over ln d
+constexpr int knots = 129;  ///< of the splines over ln d: where a law ends the ratio bends within a tenth of the depth
 constexpr double shallowest_share = 0.02;
 constexpr int most_pretensions = 9;
 constexpr double least_share = 1e-4;

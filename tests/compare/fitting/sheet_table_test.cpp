@@ -33,7 +33,7 @@ class SheetTable : public testing::TestWithParam<Tabulated> {
 
 TEST_P(SheetTable, IsTheSolvedSheetWithinItsStatedError) {
   const ForceModel model = table();
-  EXPECT_LT(model.relative_error, 3e-3);
+  EXPECT_LT(model.relative_error, 6e-4);
   for (const double share : {0.01, 0.6})
     for (const double factor : {1.0, 1.1}) {
       const double modulus = factor * range().Eh_eV_per_A2, pretension = share * range().pretension_share * modulus;
@@ -75,7 +75,7 @@ TEST_P(SheetTable, TheCurveIsTheSameFunction) {
     const double pretension = share * range().pretension_share * modulus;
     const ForceCurve curve = curve_of(model, modulus, pretension);
     for (const double part : {0.005, 0.019, 0.021, 0.1, 0.7, 0.999, 1.03}) {
-      const double depth = part * model.deepest_A, h = 1e-4 * depth;
+      const double depth = part * model.deepest_A, h = 4e-5 * depth;
       const ForceAlong along = curve(depth);
       const ForceAt at = model.at(depth, modulus, pretension);
       EXPECT_NEAR(along.value.force, at.force, 1e-11 * std::abs(at.force)) << part;
@@ -97,7 +97,7 @@ TEST_P(SheetTable, TheCurveIsTheSameFunction) {
   }
 }
 
-// The calibrated sheet to 20 Å: its law ends near 25, and a table encloses 1.2 times its deepest.
+// The calibrated sheet to 24 Å: its law ends near 25.
 INSTANTIATE_TEST_SUITE_P(
     Sheets, SheetTable,
     testing::Values(with("point", {5000, 0.165, 0}), with("disc", {5000, 0.165, 165}),
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     with("calibrated",
                          {111.05, 0.3645, 10.08, 1.4, false,
                           calibrated_physics({17.3356, 0.3645, {{3, 0, -15.8}, {1, 2, -60}}}, 0.967, "airebo")},
-                         {20, 17.3356, 0.004})),
+                         {24, 17.3356, 0.004})),
     [](const auto& test) { return test.param.name; });
 
 // Shallow: the closed form that the table is taken to holds by itself there; deep it does not.
@@ -126,8 +126,12 @@ TEST(SheetTables, EndsWhereTheLawDoes) {
   const SheetCurve solved = sheet_curve(tip, law_of(tip, Eh), pretension, depth);
   ASSERT_FALSE(solved.ended_early.empty());
   const ForceModel model = sheet_table(tip, {1000, Eh, 1.5 * pretension / Eh});
-  // The smallest of the ends of all sheets of the table, which are of other E·h and pretensions.
-  EXPECT_NEAR(model.deepest_A / solved.depth_A.back(), 1, 0.15);
+  // The first of the table's sheets to end is the one of the least E·h, whose D is the largest beside it, and the most
+  // pretension.
+  const double least = 0.85 * Eh;
+  const SheetCurve first = sheet_curve(tip, law_of(tip, least), 1.5 * pretension / Eh * least, depth);
+  EXPECT_NEAR(model.deepest_A / first.depth_A.back(), 1, 0.08);
+  EXPECT_LT(model.deepest_A, solved.depth_A.back() * 1.08);
   EXPECT_LT(model.deepest_A, 1000);
   const double d = solved.depth_A[solved.depth_A.size() / 2];
   EXPECT_NEAR(model.at(d, Eh, pretension).force / solved.force_eV_per_A[solved.depth_A.size() / 2], 1, 2e-3);
