@@ -42,6 +42,20 @@ class Sensitivity {
   }
   bool known() const { return nominal_.has_value(); }
 
+  /// The curve as it was judged, triangles or meridian and interpolated, beside a meridian of half the elements'
+  /// length.
+  void add_mesh(std::vector<JudgedRatio>& ratios, const Run& judged_run) const {
+    membrane::Problem fine = problem_;
+    fine.discretisation = membrane::Meridian{.refinement = 2};
+    const auto curve = solved(fine);
+    if (!curve) return;
+    const Curve used(judged_run);
+    for (JudgedRatio& judged : ratios) {
+      const auto here = used.at(judged.depth_A), there = curve->at(judged.depth_A);
+      if (here && there) judged.shares.mesh = std::abs(*there / *here - 1);
+    }
+  }
+
   /// Relative change of the force at each depth, set into a share of the ratios.
   void add(std::vector<JudgedRatio>& ratios, double RatioShares::*share, const Change& change) const {
     membrane::Problem other = problem_;
@@ -61,14 +75,14 @@ class Sensitivity {
 
 membrane::DiscSheet& disc_of(membrane::Problem& problem) { return std::get<membrane::DiscSheet>(problem.sheet); }
 
-void add_solved_shares(const Result& result, const ContinuumExperiment& continuum, std::vector<JudgedRatio>& ratios) {
+void add_solved_shares(const Result& result, const Run& run, const ContinuumExperiment& continuum,
+                       std::vector<JudgedRatio>& ratios) {
   const SheetSummary& sheet = *result.sheet;
   if (!std::holds_alternative<membrane::DiscSheet>(continuum.problem.sheet)) return;
   const Sensitivity sensitivity(continuum.problem);
   if (!sensitivity.known()) return;
   const bool bends = continuum.problem.bending.has_value();
-  sensitivity.add(ratios, &RatioShares::mesh,
-                  [](membrane::Problem& p) { p.discretisation = membrane::Meridian{.refinement = 2}; });
+  sensitivity.add_mesh(ratios, run);
   sensitivity.add(ratios, &RatioShares::clamp_radius,
                   [&](membrane::Problem& p) { disc_of(p).radius_A += sheet.clamp_radius_error_A; });
   if (bends)
@@ -117,8 +131,12 @@ void add_uncertainties(Result& result, const PairedLoad& load) {
   const ContinuumExperiment* continuum = load.find(sheet ? Purpose::calibrated_sheet : Purpose::like_for_like);
   const auto atoms = std::ranges::find_if(
       result.runs, [&](const Run& run) { return run.is_atomistic() && run.load == agreement.load; });
-  if (!continuum || atoms == result.runs.end()) return;
-  add_solved_shares(result, *continuum, agreement.ratios);
+  const auto run = std::ranges::find_if(result.runs, [&](const Run& other) {
+    return other.model == agreement.against && other.load == agreement.load &&
+           other.constants == (sheet ? Constants::calibrated : Constants::card);
+  });
+  if (!continuum || atoms == result.runs.end() || run == result.runs.end()) return;
+  add_solved_shares(result, *run, *continuum, agreement.ratios);
   add_plain_clamp(result, atoms->a_A, agreement.ratios);
   for (JudgedRatio& judged : agreement.ratios) {
     RatioShares& shares = judged.shares;
