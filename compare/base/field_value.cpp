@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -40,12 +41,26 @@ double parse_number(const Field& field, std::string_view text, std::string_view 
 
 namespace {
 
-bool has_unit(std::string_view text) { return text.find_last_not_of(" 0123456789.+-eE") != std::string_view::npos; }
+/// What stands behind the number that a text begins with: its unit, or all of the text where there is no number.
+std::string_view behind_number(std::string_view text) {
+  const auto first = text.find_first_not_of(" +");
+  if (first == std::string_view::npos) return {};
+  text.remove_prefix(first);
+  double number = 0;
+  text.remove_prefix(
+      static_cast<std::size_t>(std::from_chars(text.data(), text.data() + text.size(), number).ptr - text.data()));
+  const auto unit = text.find_first_not_of(' ');
+  return unit == std::string_view::npos ? std::string_view{} : text.substr(unit);
+}
 
-/// What stands behind the number of a text: its unit.
-std::string_view unit_behind(std::string_view text) {
-  const auto first = text.find_first_not_of(" 0123456789.+-eE");
-  return first == std::string_view::npos ? std::string_view{} : text.substr(first);
+bool has_unit(std::string_view text) { return !behind_number(text).empty(); }
+
+/// The error's number, and its unit for a value that has none.
+void share_unit(std::string& value, std::string& error) {
+  if (!has_unit(value))
+    value += behind_number(error);
+  else if (!has_unit(error))
+    error += behind_number(value);
 }
 
 }  // namespace
@@ -56,22 +71,21 @@ Uncertain parse_uncertain(const Field& field, std::string_view text, std::string
     if (at == std::string_view::npos) continue;
     std::string value(text.substr(0, at)), error(text.substr(at + sign.size()));
     Uncertain found;
-    const Field positive_error{field.name, field.unit, field.meaning, not_negative()};
+    const Field share{field.name, unit::none, field.meaning, not_negative()};
     if (const auto percent = error.find('%'); percent != std::string::npos) {
       // "0.5 ± 2 % um": a unit behind the percent sign is the value's
+      const double relative = parse_number(share, error.substr(0, percent), label) / 100;
       if (!has_unit(value)) value += error.substr(percent + 1);
       found.value = parse_number(field, value, label);
-      const double share =
-          parse_number(Field{field.name, unit::none, "", not_negative()}, error.substr(0, percent), label);
-      found.error = share / 100 * std::abs(found.value);
+      found.error = relative * std::abs(found.value);
     } else {
-      if (!has_unit(value))
-        value += unit_behind(error);
-      else if (!has_unit(error))
-        error += unit_behind(value);
+      parse_quantity(error, field.unit, label);  // what is wrong with it is not to be told of the value
+      share_unit(value, error);
       found.value = parse_number(field, value, label);
-      found.error = parse_number(positive_error, error, label);
+      found.error = parse_number(Field{field.name, field.unit, field.meaning, not_negative()}, error, label);
     }
+    // A value that is larger by its error must be one, too.
+    in_range(field, found.value + found.error, label);
     return found;
   }
   return {parse_number(field, text, label), 0};

@@ -134,9 +134,9 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
   const Given tip = given("tip-radius", flags.tip_radius, curve);
   if (!tip.text.empty())
     take(&ModelGeometry::tip_A, with_unit(Field{"tip-radius", unit::length, "", not_negative()}, tip));
-  if (!(o.geometry.tip_A < o.geometry.a_A))
-    throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, o.geometry.tip_A,
-                    o.geometry.a_A);
+  const double widest = o.geometry.tip_A + o.errors.geometry.tip_A;
+  if (!(widest < o.geometry.a_A))
+    throw bad_input("{}: a tip of {:g} Å is wider than the sheet of {:g} Å", tip.label, widest, o.geometry.a_A);
   if (!flags.bending.empty())
     take(&ModelGeometry::bending_eV,
          parse_uncertain(Field{"bending", unit::none, "", not_negative()}, flags.bending, "--bending"));
