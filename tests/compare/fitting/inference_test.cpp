@@ -203,6 +203,17 @@ TEST(Uncertain, IsReadInEveryWayItIsWritten) {
   EXPECT_NEAR(parse_uncertain(share, "-0.2 ± 10 %", "--nu").error, 0.02, 1e-12);
 }
 
+// A value that is larger by its error must be in range, too; a unit may begin with what looks like an exponent.
+TEST(Uncertain, StaysInRangeAndReadsUnitsThatBeginWithE) {
+  const Field nu{"nu", unit::none, "", between(-1, 1)},
+      stiffness{"spring-constant", unit::membrane_force, "", positive()};
+  EXPECT_THROW(parse_uncertain(nu, "0.165 ± 2", "--nu"), Error);
+  const Uncertain read = parse_uncertain(stiffness, "2 ± 0.1 eV/A^2", "--spring-constant");
+  EXPECT_NEAR(read.value, 2, 1e-12);
+  EXPECT_NEAR(read.error, 0.1, 1e-12);
+  EXPECT_NEAR(parse_uncertain(stiffness, "16.02176634 N/m ± 1.602176634", "--spring-constant").error, 0.1, 1e-12);
+}
+
 TEST(Uncertain, RefusesWhatIsNone) {
   const Field radius{"radius", unit::length, "radius", positive()};
   for (const char* text : {"0.5 um ±", "± 0.01 um", "0.5 um ± -0.01 um", "0.5 um ± -2 %", "0.5 um ± x",
