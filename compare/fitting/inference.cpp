@@ -37,15 +37,30 @@ std::vector<ErrorSource> sources(const Likelihood& likelihood, const LikelihoodM
   return found;
 }
 
+/// A 95 % interval and the standard error that goes with it, half of what the interval is wide over √threshold: about a
+/// free contact, a kink, the Hessian's own is too small by a third.
+struct Uncertainty {
+  std::array<double, 2> interval;
+  double standard_error;
+};
+
+Uncertainty uncertainty(const Likelihood& likelihood, const LikelihoodMaximum& best, int parameter, double numerical) {
+  const double threshold = profile_threshold(likelihood, confidence), quantile = std::sqrt(threshold);
+  const double value = best.theta[parameter], linear = std::sqrt(best.covariance(parameter, parameter));
+  const auto [low, high] = profile_interval(likelihood, best, parameter, threshold);
+  const auto with_numerical = [&](double half) { return std::hypot(half, quantile * numerical * value); };
+  const double half = std::isfinite(high - low) ? (high - low) / 2 : quantile * linear;
+  return {{value - with_numerical(value - low), value + with_numerical(high - value)}, with_numerical(half) / quantile};
+}
+
 void read_zeros(const Likelihood& likelihood, const LikelihoodMaximum& best, Fit& fit) {
-  const auto error = [&](int index) { return std::sqrt(best.covariance(index, index)); };
   if (const int i = likelihood.contact_index(); i >= 0) {
     fit.contact_nm = nm_per_A * best.theta[i];
-    fit.contact_stderr_nm = nm_per_A * error(i);
+    fit.contact_stderr_nm = nm_per_A * uncertainty(likelihood, best, i, 0).standard_error;
   }
   if (const int i = likelihood.force_zero_index(); i >= 0) {
     fit.force_zero_nN = nN_per_eV_per_A * best.theta[i];
-    fit.force_zero_stderr_nN = nN_per_eV_per_A * error(i);
+    fit.force_zero_stderr_nN = nN_per_eV_per_A * std::sqrt(best.covariance(i, i));
   }
   if (const int i = likelihood.slope_index(); i >= 0) fit.slope_nN_per_nm = N_per_m_per_eV_per_A2 * best.theta[i];
 }
@@ -133,16 +148,14 @@ std::variant<Fit, std::string> infer(const CurvePoints& points, const ForceModel
   fit.Eh_eV_per_A2 = best.theta[0];
   fit.pretension_eV_per_A2 = best.theta[1];
   const double numerical = model.relative_error;
-  const auto with_numerical = [&](int i) {
-    return std::hypot(std::sqrt(best.covariance(i, i)), numerical * best.theta[i]);
-  };
-  fit.Eh_stderr_eV_per_A2 = with_numerical(0);
-  fit.pretension_stderr_eV_per_A2 = with_numerical(1);
+  const Uncertainty Eh = uncertainty(likelihood, best, 0, numerical),
+                    pretension = uncertainty(likelihood, best, 1, numerical);
+  fit.Eh_stderr_eV_per_A2 = Eh.standard_error;
+  fit.pretension_stderr_eV_per_A2 = pretension.standard_error;
+  fit.Eh_interval_eV_per_A2 = Eh.interval;
+  fit.pretension_interval_eV_per_A2 = pretension.interval;
   fit.correlation = best.covariance(0, 1) / std::sqrt(best.covariance(0, 0) * best.covariance(1, 1));
   fit.minus_two_log_likelihood = best.minus_two_log;
-  const double threshold = profile_threshold(likelihood, confidence);
-  fit.Eh_interval_eV_per_A2 = profile_interval(likelihood, best, 0, threshold);
-  fit.pretension_interval_eV_per_A2 = profile_interval(likelihood, best, 1, threshold);
   fit.sources = sources(likelihood, best, numerical);
   read_zeros(likelihood, best, fit);
   read_noise(likelihood, best, fit);

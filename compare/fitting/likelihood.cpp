@@ -25,7 +25,9 @@ struct Likelihood::Local {
   using Row = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_parameters, 1>;  ///< without allocation
   double miss = 0, variance = 0, log_variance = 0;
   double slope = 0, bend = 0;  ///< what take_slopes holds
+  double left = 0;             ///< variance of its place along the curve, once the miss is known
   Row mean_by;                 ///< of the curve as the point sees it: −∂(miss), the variance held
+  Row slope_by;                ///< of the curve's slope there
   Row variance_by, log_by;     ///< of the variance with the slope held: where it is seen, and as ln v has it
 };
 
@@ -205,7 +207,9 @@ Likelihood::Local Likelihood::local(std::size_t i, const VectorXd& theta, const 
   const double rest = depth - likely - errors.share(m.slope) * l.miss;
   l.mean_by = m.by + rest * (m.slope_by + m.curvature * likely_by);
   l.slope = m.slope;
-  l.bend = 0.5 * m.bend * errors.left(m.slope);
+  l.left = errors.left(m.slope);
+  l.slope_by = m.slope_by;
+  l.bend = 0.5 * m.bend * l.left;
   const double seen = slopes_.empty() ? m.slope : slopes_[i];
   l.log_variance = std::log(errors.variance(seen));
   l.variance_by = l.log_by = Local::Row::Zero(count_);
@@ -239,6 +243,7 @@ Likelihood::At Likelihood::at(const VectorXd& theta) const {
   double total = 0;
   sum.gradient = VectorXd::Zero(count_);
   sum.information = MatrixXd::Zero(count_, count_);
+  sum.excess = MatrixXd::Zero(count_, count_);
   const Sheets all = sheets(theta);
   for (std::size_t i = 0; i < points_.depth_A.size(); ++i) {
     const Local l = local(i, theta, all);
@@ -248,8 +253,10 @@ Likelihood::At Likelihood::at(const VectorXd& theta) const {
     sum.gradient += -2 * scaled * l.mean_by - scaled * scaled * l.variance_by + l.log_by;
     const double by_mean = 2 / l.variance;
     for (int row = 0; row < count_; ++row)
-      for (int column = 0; column <= row; ++column)
+      for (int column = 0; column <= row; ++column) {
         sum.information(row, column) += by_mean * l.mean_by[row] * l.mean_by[column] + l.log_by[row] * l.log_by[column];
+        sum.excess(row, column) += by_mean * l.left * l.slope_by[row] * l.slope_by[column];
+      }
   }
   for (std::size_t k = 0; k < inputs_.size(); ++k) {
     const int z = first_input_ + static_cast<int>(k);
@@ -260,6 +267,7 @@ Likelihood::At Likelihood::at(const VectorXd& theta) const {
   if (!std::isfinite(total)) return sum;
   sum.minus_two_log = total;
   sum.information = MatrixXd(sum.information.selfadjointView<Eigen::Lower>());
+  sum.excess = MatrixXd(sum.excess.selfadjointView<Eigen::Lower>());
   return sum;
 }
 

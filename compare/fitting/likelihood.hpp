@@ -50,7 +50,9 @@ class Likelihood {
   struct At {
     double minus_two_log = 0;
     Eigen::VectorXd gradient;
-    Eigen::MatrixXd information;  ///< expected Hessian of −2 ln L
+    Eigen::MatrixXd information;  ///< variance of the gradient, halved
+    Eigen::MatrixXd excess;       ///< what the points' places along the curve, estimated each, have in it: the expected
+                                  ///< Hessian is information − excess
   };
   /// Not finite where a parameter is out of its range.
   At at(const Eigen::VectorXd& theta) const;
@@ -101,8 +103,10 @@ struct LikelihoodMaximum {
   int iterations = 0;
   Eigen::VectorXd theta;
   double minus_two_log = 0;
-  Eigen::MatrixXd information;  ///< expected Hessian of −2 ln L there
-  Eigen::MatrixXd covariance;   ///< inverse of the information: of the parameters, inputs included
+  Eigen::MatrixXd information;  ///< as Likelihood::At has it there
+  Eigen::MatrixXd
+      covariance;  ///< of the parameters, inputs included: H⁻¹ (variance of the gradient) H⁻¹, H the Hessian
+  Eigen::VectorXd widening;  ///< of a parameter's variance over that of the Hessian alone: 1 without errors of depth
 };
 
 /// The most likely parameters from the likelihood's own start; takes its slopes.
@@ -115,7 +119,8 @@ LikelihoodMaximum maximise(const Likelihood& likelihood, const Eigen::VectorXd& 
                            const std::vector<int>& held = {}, double negligible = 1e-12);
 
 /// Ends of the profile-likelihood interval of a parameter: where −2 ln L, least over all others, has grown by
-/// `threshold`. An end not found within 100 standard errors is infinite.
+/// `threshold` times the parameter's widening (White, Econometrica 50, 1, 1982). An end not found within 100 standard
+/// errors is infinite.
 std::array<double, 2> profile_interval(const Likelihood& likelihood, const LikelihoodMaximum& best, int parameter,
                                        double threshold);
 

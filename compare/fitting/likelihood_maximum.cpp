@@ -76,6 +76,35 @@ struct Equations {
   }
 };
 
+/// Of the parameters at the maximum.
+void read_uncertainty(const Likelihood& likelihood, const Likelihood::At& here, const std::vector<int>& held,
+                      LikelihoodMaximum& result) {
+  const Equations equations(likelihood, result.theta, here, held);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(equations.matrix);
+  constexpr double ill_conditioned = 1e12;
+  if (!(eigen.eigenvalues().minCoeff() > eigen.eigenvalues().maxCoeff() / ill_conditioned)) {
+    result.converged = false;
+    result.reason = "the points do not determine the parameters";
+  }
+  const auto scale = equations.scale.asDiagonal();
+  const VectorXd inverse_scale = equations.scale.cwiseInverse();
+  result.information = inverse_scale.asDiagonal() * equations.matrix * inverse_scale.asDiagonal();
+  MatrixXd excess = scale * here.excess * scale;
+  VectorXd none = VectorXd::Zero(excess.rows());
+  for (const int parameter : equations.held) {
+    hold(excess, none, parameter);
+    excess(parameter, parameter) = 0;
+  }
+  const Eigen::LLT<MatrixXd> hessian(equations.matrix - excess);
+  const MatrixXd identity = MatrixXd::Identity(excess.rows(), excess.cols());
+  // Where most of the information is in the errors, there is no telling.
+  const MatrixXd inverse = hessian.info() == Eigen::Success ? MatrixXd(hessian.solve(identity))
+                                                            : MatrixXd(equations.matrix.ldlt().solve(identity));
+  const MatrixXd sandwich = inverse * equations.matrix * inverse;
+  result.widening = sandwich.diagonal().cwiseQuotient(inverse.diagonal()).cwiseMax(1.0);
+  result.covariance = 2 * (scale * sandwich * scale);
+}
+
 }  // namespace
 
 LikelihoodMaximum maximise(const Likelihood& likelihood, const VectorXd& start, const std::vector<int>& held,
@@ -119,17 +148,7 @@ LikelihoodMaximum maximise(const Likelihood& likelihood, const VectorXd& start, 
   }
   if (!result.converged) result.reason = "the fit did not converge";
   result.minus_two_log = here.minus_two_log;
-  const Equations equations(likelihood, result.theta, here, held);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(equations.matrix);
-  constexpr double most_condition = 1e12;
-  if (!(eigen.eigenvalues().minCoeff() > eigen.eigenvalues().maxCoeff() / most_condition)) {
-    result.converged = false;
-    result.reason = "the points do not determine the parameters";
-  }
-  const auto scale = equations.scale.asDiagonal();
-  result.information =
-      equations.scale.cwiseInverse().asDiagonal() * equations.matrix * equations.scale.cwiseInverse().asDiagonal();
-  result.covariance = 2 * (scale * equations.matrix.inverse() * scale).eval();
+  read_uncertainty(likelihood, here, held, result);
   return result;
 }
 
@@ -148,26 +167,32 @@ void keep_noise_positive(const Likelihood& likelihood, const VectorXd& known, Ve
     if (!(theta[variance] >= 0)) theta[variance] = known[variance];
 }
 
-/// A free contact is a kink among noisy points, and each place of it a minimum nearly: those beside the one that was
-/// found.
-std::optional<VectorXd> lower_elsewhere(const Likelihood& likelihood, const LikelihoodMaximum& found) {
-  const int contact = likelihood.contact_index();
-  if (contact < 0) return std::nullopt;
-  constexpr double decisive = 3.84;  // χ² of one degree of freedom, 95 %
-  const double sd = std::sqrt(found.covariance(contact, contact));
-  std::optional<VectorXd> best;
-  double least = found.minus_two_log - decisive;
-  for (const double away : {-5.0, -2.5, 2.5, 5.0}) {
-    VectorXd start = moved(found, found.theta, contact, found.theta[contact] + away * sd);
-    if (!(start[0] > 0)) continue;
-    keep_noise_positive(likelihood, found.theta, start);
-    const LikelihoodMaximum other = maximise(likelihood, start, {}, 1e-3);
-    if (!(other.minus_two_log < least)) continue;
-    least = other.minus_two_log;
-    best = other.theta;
+/// A free contact is a kink among noisy points, and each place of it a minimum nearly.
+struct Neighbours {
+  const Likelihood& likelihood;
+  const LikelihoodMaximum& best;  ///< whose errors are the measure
+
+  /// The lowest minimum that is reached from contacts these standard errors away, if it is lower by more than `least`.
+  std::optional<LikelihoodMaximum> below(const LikelihoodMaximum& found, std::initializer_list<double> away,
+                                         const std::vector<int>& held, double least) const {
+    const int contact = likelihood.contact_index();
+    if (contact < 0) return std::nullopt;
+    std::optional<LikelihoodMaximum> lowest;
+    double lower = found.minus_two_log - least;
+    for (const double errors : away) {
+      const double there = found.theta[contact] + errors * std::sqrt(best.covariance(contact, contact));
+      VectorXd start = moved(best, found.theta, contact, there);
+      for (const int parameter : held) start[parameter] = found.theta[parameter];
+      if (!(start[0] > 0)) continue;
+      keep_noise_positive(likelihood, found.theta, start);
+      LikelihoodMaximum other = maximise(likelihood, start, held, 1e-3);
+      if (!(other.minus_two_log < lower)) continue;
+      lower = other.minus_two_log;
+      lowest = std::move(other);
+    }
+    return lowest;
   }
-  return best;
-}
+};
 
 }  // namespace
 
@@ -183,9 +208,11 @@ LikelihoodMaximum most_likely(Likelihood& likelihood) {
       if (!found.converged) return found;
       theta = found.theta;
     }
-    const std::optional<VectorXd> other = lower_elsewhere(likelihood, found);
+    // The start is consistent, a far minimum by chance is not: what is left for has to be lower beyond doubt.
+    constexpr double decisive = 3.84;  // χ² of one degree of freedom, 95 %
+    const auto other = Neighbours{likelihood, found}.below(found, {-5.0, -2.5, 2.5, 5.0}, {}, decisive);
     if (!other) break;
-    theta = *other;
+    theta = other->theta;
   }
   return found;
 }
@@ -196,22 +223,36 @@ namespace {
 class Profile {
  public:
   Profile(const Likelihood& likelihood, const LikelihoodMaximum& best, int parameter)
-      : likelihood_(likelihood), best_(best), parameter_(parameter), last_(best.theta) {}
+      : likelihood_(likelihood), best_(best), parameter_(parameter) {
+    last_.theta = best.theta;
+  }
 
   double growth(double value) {
-    VectorXd start = moved(best_, last_, parameter_, value);
-    keep_noise_positive(likelihood_, last_, start);
+    VectorXd start = moved(best_, last_.theta, parameter_, value);
+    keep_noise_positive(likelihood_, last_.theta, start);
     LikelihoodMaximum found = maximise(likelihood_, start, {parameter_}, 1e-7);
     if (!std::isfinite(found.minus_two_log) || found.theta.size() == 0) return std::numeric_limits<double>::infinity();
-    last_ = found.theta;
-    return std::sqrt(std::max(found.minus_two_log - best_.minus_two_log, 0.0));
+    last_ = std::move(found);
+    return over_best(last_);
+  }
+
+  /// Where it was asked last, from other contacts too; follows the lowest from there on.
+  double growth_elsewhere() {
+    constexpr double negligible = 1e-2;
+    if (auto other = Neighbours{likelihood_, best_}.below(last_, {-3.0, 3.0}, {parameter_}, negligible))
+      last_ = std::move(*other);
+    return over_best(last_);
   }
 
  private:
+  double over_best(const LikelihoodMaximum& found) const {
+    return std::sqrt(std::max(found.minus_two_log - best_.minus_two_log, 0.0));
+  }
+
   const Likelihood& likelihood_;
   const LikelihoodMaximum& best_;
   int parameter_;
-  VectorXd last_;
+  LikelihoodMaximum last_;
 };
 
 /// One end of a profile, in standard errors from the best value.
@@ -223,6 +264,20 @@ class EndSearch {
         unit_(sign * std::sqrt(best.covariance(parameter, parameter))),
         target_(target) {}
 
+  /// About a free contact there may be a further minimum, beside the one that was followed or behind a rise: the end is
+  /// what encloses all.
+  double end() {
+    constexpr int most_minima = 8;
+    double x = beyond(0);
+    for (int minimum = 0; minimum < most_minima && std::isfinite(x); ++minimum) {
+      const std::optional<double> inside = further(x);
+      if (!inside) break;
+      x = beyond(*inside);
+    }
+    return centre_ + x * unit_;
+  }
+
+ private:
   /// Where the growth reaches the target beyond `inside`. Its √ is nearly a line: secants, kept between what is inside
   /// and what is outside.
   double beyond(double inside) {
@@ -248,33 +303,29 @@ class EndSearch {
     return x;
   }
 
-  double growth_at(double x) { return profile_.growth(value_at(x)); }
-  double value_at(double x) const { return centre_ + x * unit_; }
+  /// A place from `x` on that is inside after all.
+  std::optional<double> further(double x) {
+    constexpr double clearly = 0.999;
+    growth_at(x);
+    if (profile_.growth_elsewhere() < clearly * target_) return x;
+    for (const double more : {0.5, 1.0})
+      if (growth_at(x + more) < clearly * target_) return x + more;
+    return std::nullopt;
+  }
 
- private:
+  double growth_at(double x) { return profile_.growth(centre_ + x * unit_); }
+
   Profile profile_;
   double centre_, unit_, target_;
 };
-
-double end_of(const Likelihood& likelihood, const LikelihoodMaximum& best, int parameter, double sign, double target) {
-  EndSearch search(likelihood, best, parameter, sign, target);
-  double end = search.beyond(0);
-  // About a free contact there may be a further minimum behind a rise: the interval is what encloses all.
-  if (likelihood.contact_index() >= 0)
-    for (const double more : {0.5, 1.0, 1.5, 2.0})
-      if (const double x = end + more; std::isfinite(x) && search.growth_at(x) < target) {
-        end = search.beyond(x);
-        break;
-      }
-  return search.value_at(end);
-}
 
 }  // namespace
 
 std::array<double, 2> profile_interval(const Likelihood& likelihood, const LikelihoodMaximum& best, int parameter,
                                        double threshold) {
-  const double target = std::sqrt(threshold);
-  return {end_of(likelihood, best, parameter, -1, target), end_of(likelihood, best, parameter, 1, target)};
+  const double target = std::sqrt(threshold * best.widening[parameter]);
+  return {EndSearch(likelihood, best, parameter, -1, target).end(),
+          EndSearch(likelihood, best, parameter, 1, target).end()};
 }
 
 double profile_threshold(const Likelihood& likelihood, double confidence) {

@@ -263,8 +263,37 @@ TEST(Profile, EndsWhereTheLikelihoodHasFallen) {
       VectorXd start = best.theta;
       start[parameter] = end;
       const LikelihoodMaximum other = maximise(l, start, {parameter});
-      EXPECT_NEAR((other.minus_two_log - best.minus_two_log) / threshold, 1, 2e-3);
+      EXPECT_NEAR((other.minus_two_log - best.minus_two_log) / threshold, best.widening[parameter], 2e-3);
     }
+}
+
+// Fuller, Measurement Error Models, 1987, eq. 1.3.12: the slope of a line whose points have errors in both coordinates
+// varies as (m v + σ_d² v − β² σ_d⁴)/(n m²), m the variance of the true depths and v = σ_F² + β² σ_d²; the profile
+// alone has v/(n m).
+TEST(Profile, ErrorsOfTheDepthWidenItAsFullerHas) {
+  const ForceModel straight{[](double depth, double slope, double offset) {
+    return ForceAt{slope * depth + offset, depth, 1};
+  }};
+  constexpr int n = 4000;
+  constexpr double slope = 2, force_error = 0.5, depth_error = 0.5, length = 3;
+  CurvePoints points;
+  Normal normal(3);
+  for (int i = 0; i < n; ++i) {
+    const double depth = 10 + length * i / (n - 1);
+    points.depth_A.push_back(depth + depth_error * normal());
+    points.force_eV_per_A.push_back(slope * depth + 1 + force_error * normal());
+  }
+  points.noise.force_eV_per_A = force_error;
+  points.noise.depth_A = depth_error;
+  Likelihood l(points, straight, {});
+  const LikelihoodMaximum best = most_likely(l);
+  ASSERT_TRUE(best.converged) << best.reason;
+  const double m = length * length / 12, d2 = depth_error * depth_error,
+               v = force_error * force_error + slope * slope * d2;
+  const double of_profile = v / (n * m), fuller = (m * v + d2 * v - slope * slope * d2 * d2) / (n * m * m);
+  EXPECT_NEAR(best.covariance(0, 0) / fuller, 1, 0.05);
+  EXPECT_NEAR(best.widening[0] / (fuller / of_profile), 1, 0.03);
+  EXPECT_GT(best.widening[0], 1.06);
 }
 
 }  // namespace
