@@ -184,7 +184,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   add_output_options(*command, flags->output, "folder for verify.csv and verify.json");
   command->add_option("--json", flags->json, "write the rows as JSON; - for stdout, instead of the table")
       ->type_name("FILE");
-  command->add_flag("--full", flags->full, "fit: a thousand curves a case in place of eighty (minutes)");
+  command->add_flag("--full", flags->full, "fit: three thousand curves a case in place of eighty (minutes)");
   command->add_flag("--quiet", flags->quiet, "no progress on stderr");
   command->footer(footer());
   command->callback([flags, &exit_code] { exit_code = verify_command(*flags); });

@@ -14,6 +14,18 @@ using Eigen::VectorXd;
 
 constexpr int most_parameters = 16;
 
+CurvePoints selected(const CurvePoints& points, const std::vector<std::size_t>& which) {
+  CurvePoints some;
+  some.noise = points.noise;
+  some.noise.force_weight.clear();
+  for (const std::size_t i : which) {
+    some.depth_A.push_back(points.depth_A[i]);
+    some.force_eV_per_A.push_back(points.force_eV_per_A[i]);
+    if (!points.noise.force_weight.empty()) some.noise.force_weight.push_back(points.noise.force_weight[i]);
+  }
+  return some;
+}
+
 /// Sheets of one E·h and pretension: the model, and one for each input.
 struct Likelihood::Sheets {
   ForceCurve plain;
@@ -58,7 +70,8 @@ struct SoftDepth {
 };
 
 SoftDepth soft_depth(double depth, double width) {
-  if (!(width > 0)) return {std::max(depth, 0.0), depth > 0 ? 1.0 : 0.0, 0};
+  constexpr double far = 8;  // widths: all is then 1e-15 from what it is without a width
+  if (!(std::abs(depth) < far * width)) return {std::max(depth, 0.0), depth > 0 ? 1.0 : 0.0, 0};
   const double t = depth / width, density = std::exp(-t * t / 2) / std::sqrt(2 * std::numbers::pi),
                share = std::erfc(-t / std::numbers::sqrt2) / 2;
   return {depth * share + width * density, share, density / width};

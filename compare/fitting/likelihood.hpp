@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct CurvePoints {
   std::vector<double> depth_A, force_eV_per_A;  ///< as they stand in the file, before and after the contact
   Noise noise;
 };
+
+/// These points of a curve.
+CurvePoints selected(const CurvePoints& points, const std::vector<std::size_t>& which);
 
 /// What is free beside E·h and σ0·h.
 struct FreeZeros {

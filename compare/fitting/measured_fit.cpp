@@ -13,10 +13,13 @@
 #include "compare/fitting/fit_warnings.hpp"
 #include "compare/fitting/inference.hpp"
 #include "compare/fitting/measured_points.hpp"
+#include "compare/fitting/measured_scan.hpp"
 #include "compare/fitting/sheet_table.hpp"
 
 namespace validate {
 namespace {
+
+constexpr double A_per_nm = 10;
 
 FittedCurve described(const MeasuredCurve& curve, const MeasuredOptions& options) {
   FittedCurve result;
@@ -79,44 +82,65 @@ MembraneTip tip_of(const ModelGeometry& m, bool sphere, const std::optional<Shee
   return tip;
 }
 
+/// Where a continuum is tabulated about.
+struct Guess {
+  double Eh = 1, most_pretension = 0;  ///< eV/Å²; its larger end
+  double contact_A = 0, contact_error_A = 0;
+
+  explicit Guess(const Fit& fit)
+      : Eh(fit.Eh_eV_per_A2),
+        most_pretension(std::isfinite(fit.pretension_interval_eV_per_A2[1]) ? fit.pretension_interval_eV_per_A2[1]
+                                                                            : 3 * std::abs(fit.pretension_eV_per_A2)),
+        contact_A(A_per_nm * fit.contact_nm.value_or(0)),
+        contact_error_A(A_per_nm * fit.contact_stderr_nm.value_or(0)) {}
+
+  Guess(const Likelihood& likelihood, const LikelihoodMaximum& best)
+      : Eh(best.theta[0]), most_pretension(best.theta[1] + 2 * std::sqrt(best.covariance(1, 1))) {
+    if (const int i = likelihood.contact_index(); i >= 0) {
+      contact_A = best.theta[i];
+      contact_error_A = std::sqrt(best.covariance(i, i));
+    }
+  }
+};
+
+/// What the shallow sheet under the same tip says, if it does.
+std::optional<Guess> shallow_guess(const CurvePoints& points, const MeasuredOptions& options) {
+  const ModelGeometry& m = options.geometry;
+  const char* shallow = m.tip_A > 0 && options.sphere ? "sphere-pretension" : "foeppl";
+  Likelihood likelihood(points, force_model(closed_form(shallow, "--model").make(m)), options.free);
+  if (points.depth_A.size() <= static_cast<std::size_t>(likelihood.parameter_count())) return std::nullopt;
+  const LikelihoodMaximum best = most_likely(likelihood);
+  return best.converged ? std::optional(Guess(likelihood, best)) : std::nullopt;
+}
+
 /// The continuum itself, tabulated about what a first fit says and again where its interval reaches further.
 class ContinuumFit {
  public:
   ContinuumFit(const CurvePoints& points, const MeasuredOptions& options, const std::optional<SheetPhysics>& physics)
       : points_(points), options_(options), physics_(physics) {}
 
-  std::variant<Fit, std::string> run(const Fit& first) {
+  std::variant<Fit, std::string> run(const Guess& first) {
     constexpr int most_tables = 4;
-    range_.Eh_eV_per_A2 = first.Eh_eV_per_A2;
-    range_.pretension_share = share_of(first);
-    range_.deepest_A = std::ranges::max(points_.depth_A) - first.contact_nm.value_or(0) * 10 + depth_margin(first);
+    const double least_margin = 1;  // Å
+    range_ = {deepest_of(first), first.Eh, share_of(first)};
+    if (options_.free.contact) range_.deepest_A += 3 * std::max(first.contact_error_A, least_margin);
     for (int attempt = 1;; ++attempt) {
       auto found = with_table();
       const Fit* fit = std::get_if<Fit>(&found);
-      if (!fit || attempt == most_tables || covered(*fit)) return found;
-      range_.Eh_eV_per_A2 = fit->Eh_eV_per_A2;
-      range_.pretension_share = std::max(share_of(*fit), range_.pretension_share);
-      range_.deepest_A =
-          std::max(range_.deepest_A, std::ranges::max(points_.depth_A) - fit->contact_nm.value_or(0) * 10);
+      if (!fit || attempt == most_tables || covers(Guess(*fit))) return found;
+      const Guess next(*fit);
+      range_ = {std::max(range_.deepest_A, deepest_of(next)), next.Eh,
+                std::max(share_of(next), range_.pretension_share)};
     }
   }
 
  private:
-  /// The larger end of what the pretension may be.
-  static double share_of(const Fit& fit) {
-    const double most = std::isfinite(fit.pretension_interval_eV_per_A2[1]) ? fit.pretension_interval_eV_per_A2[1]
-                                                                            : 3 * std::abs(fit.pretension_eV_per_A2);
-    return 1.3 * std::max(most, 0.0) / fit.Eh_eV_per_A2;
-  }
-  double depth_margin(const Fit& first) const {
-    return options_.free.contact ? 30 * std::max(first.contact_stderr_nm.value_or(0), 0.1) : 0;
-  }
-  bool covered(const Fit& fit) const {
-    const double most = std::isfinite(fit.pretension_interval_eV_per_A2[1]) ? fit.pretension_interval_eV_per_A2[1]
-                                                                            : fit.pretension_eV_per_A2;
-    return most / fit.Eh_eV_per_A2 <= range_.pretension_share * 1.05 &&
-           (!physics_ || std::abs(std::log(fit.Eh_eV_per_A2 / range_.Eh_eV_per_A2)) < 0.1) &&
-           std::ranges::max(points_.depth_A) - fit.contact_nm.value_or(0) * 10 <= range_.deepest_A * 1.001;
+  double deepest_of(const Guess& guess) const { return std::ranges::max(points_.depth_A) - guess.contact_A; }
+  static double share_of(const Guess& guess) { return 1.3 * std::max(guess.most_pretension, 0.0) / guess.Eh; }
+  bool covers(const Guess& guess) const {
+    return guess.most_pretension / guess.Eh <= range_.pretension_share * 1.05 &&
+           (!physics_ || std::abs(std::log(guess.Eh / range_.Eh_eV_per_A2)) < 0.1) &&
+           deepest_of(guess) <= range_.deepest_A * 1.001;
   }
 
   std::variant<Fit, std::string> with_table() {
@@ -137,11 +161,8 @@ class ContinuumFit {
       if (std::string_view(name) == "bending" && !physics_) continue;
       inference.inputs.push_back({name, with_tip(table, tip, other, range_)});
     }
-    CurvePoints kept = points_;
-    const double end = table.deepest_A * (1 + 1e-9);
-    const bool torn = end < range_.deepest_A * (1 - 1e-6);
-    if (torn) keep_up_to(kept, end);
-    auto found = infer(kept, table, inference);
+    const bool torn = table.deepest_A < range_.deepest_A * (1 - 1e-6);
+    auto found = infer(torn ? up_to(points_, table.deepest_A) : points_, table, inference);
     if (Fit* fit = std::get_if<Fit>(&found)) {
       fit->model = physics_ ? physics_->model : fitted_membrane;
       if (torn) fit->torn_at_A = table.deepest_A;
@@ -150,17 +171,11 @@ class ContinuumFit {
   }
 
   /// Deeper points are left out: the law does not go there, whatever the contact.
-  static void keep_up_to(CurvePoints& points, double deepest) {
-    CurvePoints kept;
-    kept.noise = points.noise;
-    kept.noise.force_weight.clear();
-    for (std::size_t i = 0; i < points.depth_A.size(); ++i) {
-      if (points.depth_A[i] > deepest) continue;
-      kept.depth_A.push_back(points.depth_A[i]);
-      kept.force_eV_per_A.push_back(points.force_eV_per_A[i]);
-      if (!points.noise.force_weight.empty()) kept.noise.force_weight.push_back(points.noise.force_weight[i]);
-    }
-    points = std::move(kept);
+  static CurvePoints up_to(const CurvePoints& points, double deepest) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < points.depth_A.size(); ++i)
+      if (points.depth_A[i] <= deepest * (1 + 1e-9)) kept.push_back(i);
+    return selected(points, kept);
   }
 
   const CurvePoints& points_;
@@ -171,7 +186,7 @@ class ContinuumFit {
 
 /// Adds a continuum's fit, or why there is none.
 void add_continuum(FittedCurve& result, const CurvePoints& points, const MeasuredOptions& options,
-                   const std::optional<SheetPhysics>& physics, const Fit& first) {
+                   const std::optional<SheetPhysics>& physics, const Guess& first) {
   const char* name = physics ? physics->model.c_str() : fitted_membrane;
   std::string reason;
   try {
@@ -185,37 +200,6 @@ void add_continuum(FittedCurve& result, const CurvePoints& points, const Measure
     reason = problem.what();
   }
   result.skipped += fmt::format("{}{}: {}", result.skipped.empty() ? "" : "; ", name, reason);
-}
-
-/// This fit against the depth up to which the points go: some twenty windows.
-WindowScan scan_of(const CurvePoints& points, const MeasuredOptions& options) {
-  constexpr std::size_t windows = 20;
-  std::vector<std::size_t> order(points.depth_A.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points.depth_A[i]; });
-  const ForceModel model = force_model(closed_form(options.model, "--model").make(options.geometry));
-  WindowScan scan;
-  CurvePoints part;
-  part.noise = points.noise;
-  part.noise.force_weight.clear();
-  const std::size_t every = std::max<std::size_t>(1, order.size() / windows);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    part.depth_A.push_back(points.depth_A[order[k]]);
-    part.force_eV_per_A.push_back(points.force_eV_per_A[order[k]]);
-    if (!points.noise.force_weight.empty()) part.noise.force_weight.push_back(points.noise.force_weight[order[k]]);
-    const bool last = k + 1 == order.size();
-    if ((!last && (order.size() - 1 - k) % every != 0) || part.depth_A.back() <= 0 ||
-        part.depth_A.size() < fewest_points_to_fit)
-      continue;
-    Likelihood likelihood(part, model, options.free);
-    if (part.depth_A.size() <= static_cast<std::size_t>(likelihood.parameter_count())) continue;
-    const LikelihoodMaximum best = most_likely(likelihood);
-    if (!best.converged) continue;
-    scan.depth_max_A.push_back(part.depth_A.back());
-    scan.Eh_eV_per_A2.push_back(best.theta[0]);
-    scan.pretension_eV_per_A2.push_back(best.theta[1]);
-  }
-  return scan;
 }
 
 /// What the recommended sheet, whose constants the fit says, is read as by the closed form at the same depths.
@@ -271,19 +255,9 @@ FittedCurve evaluate(const MeasuredCurve& curve, const MeasuredOptions& options)
   result.fits.push_back(std::get<Fit>(std::move(closed)));
   result.fits.front().model = options.model;
   result.fits.front().scan = scan_of(points, options);
-  // Where to tabulate: what the shallow sheet of the same tip says.
-  const ModelGeometry& m = options.geometry;
-  const char* shallow = m.tip_A > 0 && options.sphere ? "sphere-pretension" : "foeppl";
-  MeasuredOptions quick = options;
-  quick.errors = {};
-  quick.bootstrap_samples = 0;
-  const auto first = fit_closed_form(points, quick, shallow);
-  const Fit start = std::holds_alternative<Fit>(first) ? std::get<Fit>(first) : result.fits.front();
+  const Guess start = shallow_guess(points, options).value_or(Guess(result.fits.front()));
   add_continuum(result, points, options, std::nullopt, start);
-  if (options.physics) {
-    const Fit plain = result.fits.back();
-    add_continuum(result, points, options, options.physics, plain);
-  }
+  if (options.physics) add_continuum(result, points, options, options.physics, Guess(result.fits.back()));
   recommend(result);
   add_bias(result, points, options);
   add_notes(result, options);

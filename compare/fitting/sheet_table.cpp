@@ -38,7 +38,8 @@ Nodes nodes_of(const MembraneTip& tip, bool coarse) {
 /// which neither parameter changes. Homogeneous in E·h and pretension but for that.
 class Shallow {
  public:
-  Shallow(const MembraneTip& tip, double deepest) : a_(tip.a_A), foeppl_(tip.nu, tip.is_sphere() ? 0 : tip.tip_A / a_) {
+  Shallow(const MembraneTip& tip, double deepest)
+      : a_(tip.a_A), foeppl_(foeppl_curve(tip.nu, tip.is_sphere() ? 0 : tip.tip_A / a_)) {
     const ModelGeometry geometry{tip.a_A, tip.nu, tip.tip_A, tip.bending_eV()};
     if (tip.is_sphere()) tabulate_sphere(closed_form("sphere-pretension", "").make(geometry), deepest);
     if (tip.bending_eV() > 0)
@@ -78,7 +79,7 @@ class Shallow {
   /// E·h α δ³/a² + σ0h δ p(ln δ)
   ForceAlong of_sphere(double d, double Eh, double pretension) const {
     const SplineAlong p = sphere_->line.along(sphere_->steps.place(std::log(d)));
-    const double cubic = foeppl_.alpha() / (a_ * a_);
+    const double cubic = foeppl_->alpha() / (a_ * a_);
     return {{0, cubic * d * d * d, d * p.value},
             {0, 3 * cubic * d * d, p.value + p.first},
             6 * cubic * Eh * d + pretension * (p.first + p.second) / d};
@@ -87,7 +88,7 @@ class Shallow {
   /// E·h δ³/a² g(η), η = σ0h a²/(E·h δ²)
   ForceAlong of_disc(double d, double Eh, double pretension) const {
     const double eta = pretension * a_ * a_ / (Eh * d * d), square = d * d / (a_ * a_);
-    const auto [g, slope, bend] = foeppl_.along(eta);
+    const auto [g, slope, bend] = foeppl_->along(eta);
     const double rest = g - eta * slope, bent = 2 * eta * eta * bend;
     return {{0, square * d * rest, d * slope},
             {0, square * (3 * rest + bent), slope - 2 * eta * bend},
@@ -95,7 +96,7 @@ class Shallow {
   }
 
   double a_, plate_ = 0;
-  FoepplCurve foeppl_;
+  std::shared_ptr<const FoepplCurve> foeppl_;
   std::optional<Sphere> sphere_;
 };
 

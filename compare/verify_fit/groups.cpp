@@ -53,7 +53,7 @@ bool almost_point(const MembraneTip& tip) { return !tip.is_sphere() && tip.tip_A
 }  // namespace
 
 std::vector<Group> fit_groups(bool full) {
-  const int curves = full ? 1000 : 80;
+  const int curves = full ? 3000 : 80;
   const auto group = [curves](std::string_view name, std::string_view what, Experiment experiment,
                               bool (*wanted)(const MembraneTip&)) {
     return Group{name, what, [=](Ledger& ledger) { try_all(ledger, experiment, curves, wanted); }};

@@ -7,7 +7,7 @@
 
 namespace validate::verify {
 
-/// Eighty curves a case, or a thousand.
+/// Eighty curves a case, or three thousand: of a share of 95 % chance then makes 0.4 %.
 std::vector<Group> fit_groups(bool full);
 
 }  // namespace validate::verify

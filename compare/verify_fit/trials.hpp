@@ -23,8 +23,8 @@ struct Experiment {
 
 /// One parameter over all curves, in eV/Å².
 struct Tally {
-  int covered = 0;
-  double error = 0, square = 0, stated = 0;  ///< sums; `stated`: half widths of the intervals over 1.96
+  int covered = 0, finite = 0;
+  double error = 0, square = 0, stated = 0;  ///< sums; `stated`: half widths of the finite intervals over 1.96
 };
 
 struct Trials {
@@ -36,8 +36,9 @@ struct Trials {
 Trials try_fits(const KnownCurve& truth, const ForceModel& table, const std::vector<UncertainInput>& inputs,
                 const Experiment& experiment, int curves, std::uint32_t seed);
 
-/// Rows: all are fitted; the bias is below 0.2 of the stated error + 0.1 % of the value; the intervals hold the truth
-/// in 93 to 97 % of the curves. Of fewer than a thousand curves what chance adds to that in 99.9 % is allowed too.
+/// Rows: all are fitted; the bias is not above 0.2 of the stated error + 0.1 % of the value beyond doubt; the intervals
+/// hold the truth in 93 to 97 % of the curves (of fewer than a thousand: what chance makes of 95 % in 99.9 %) and have
+/// two ends.
 void add_rows(Ledger& ledger, const KnownCurve& truth, const Trials& trials);
 
 }  // namespace validate::verify

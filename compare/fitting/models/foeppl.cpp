@@ -3,8 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace validate {
 namespace {
@@ -293,5 +296,14 @@ FoepplCurve::Along FoepplCurve::along(double eta) const {
 double FoepplCurve::g(double eta) const { return along(eta).value; }
 
 double FoepplCurve::slope(double eta) const { return along(eta).first; }
+
+std::shared_ptr<const FoepplCurve> foeppl_curve(double nu, double tip) {
+  static std::mutex mutex;
+  static std::map<std::pair<double, double>, std::shared_ptr<const FoepplCurve>> known;
+  const std::lock_guard lock(mutex);
+  auto& curve = known[{nu, tip}];
+  if (!curve) curve = std::make_shared<const FoepplCurve>(nu, tip);
+  return curve;
+}
 
 }  // namespace validate

@@ -1,6 +1,7 @@
 // The shallow clamped disc under a tip: Föppl–von Kármán equations in one dimension, with or without bending.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 namespace validate {
@@ -59,5 +60,8 @@ class FoepplCurve {
   double alpha_ = 0, beta_ = 0;
   std::vector<double> xi_, ratio_, curvature_;  // of a natural cubic spline
 };
+
+/// One table per geometry and process; for any number of threads.
+std::shared_ptr<const FoepplCurve> foeppl_curve(double nu, double tip);
 
 }  // namespace validate

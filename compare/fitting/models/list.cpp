@@ -1,10 +1,10 @@
 #include "compare/fitting/models/list.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_sf_lambert.h>
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -33,15 +33,15 @@ double relative_tip(const ModelGeometry& m) { return m.tip_A / m.a_A; }
 AnyCurveModel eq16(const ModelGeometry& m) { return any_model(Eq16{m.a_A, m.nu}); }
 
 AnyCurveModel first_order(const ModelGeometry& m, double tip) {
-  const FoepplCurve curve(m.nu, tip);
-  return cubic_and_linear(curve.alpha() / (m.a_A * m.a_A), curve.beta() * pi);
+  const auto curve = foeppl_curve(m.nu, tip);
+  return cubic_and_linear(curve->alpha() / (m.a_A * m.a_A), curve->beta() * pi);
 }
 AnyCurveModel point(const ModelGeometry& m) { return first_order(m, 0); }
 AnyCurveModel disc(const ModelGeometry& m) { return first_order(m, relative_tip(m)); }
 
 /// F = E·h δ³/a² g(η), η = σ0h a²/(E·h δ²)
 AnyCurveModel foeppl(const ModelGeometry& m) {
-  const auto curve = std::make_shared<const FoepplCurve>(m.nu, relative_tip(m));
+  const auto curve = foeppl_curve(m.nu, relative_tip(m));
   const double a = m.a_A;
   return {2,
           [=](double d, std::span<const double> p) {
@@ -55,30 +55,23 @@ AnyCurveModel foeppl(const ModelGeometry& m) {
 }
 
 AnyCurveModel tip_pretension(const ModelGeometry& m) {
-  const FoepplCurve curve(m.nu, relative_tip(m));
-  return cubic_and_linear(curve.alpha() / (m.a_A * m.a_A), 2 * pi / (std::log(m.a_A / m.tip_A) + 0.5));
+  return cubic_and_linear(foeppl_curve(m.nu, relative_tip(m))->alpha() / (m.a_A * m.a_A),
+                          2 * pi / (std::log(m.a_A / m.tip_A) + 0.5));
 }
 
-/// Contact radius b from δ = (b²/Rt)(ln(a/b) + ½), then F = 2π σ0h b²/Rt. The contact grows with δ until b =
-/// a.
-double sphere_contact(double depth, double a, double Rt) {
-  double low = 0, high = a, b = std::min(std::sqrt(depth * Rt), a / 2);
-  for (int i = 0; i < 100 && high - low > 1e-15 * a; ++i) {
-    const double miss = b * b / Rt * (std::log(a / b) + 0.5) - depth;
-    (miss < 0 ? low : high) = b;
-    const double next = b - miss * Rt / (2 * b * std::log(a / b));  // Newton's step where it stays inside
-    const double last = std::exchange(b, next > low && next < high ? next : (low + high) / 2);
-    if (std::abs(b - last) < 1e-14 * b) break;
-  }
-  return b;
+/// b² from δ = (b²/Rt)(ln(a/b) + ½), b the radius of the contact, which grows with δ until b = a: with u = 1 −
+/// ln(b²/a²) that is u e^{−u} = 2 δ Rt/(e a²), and u ≥ 1 Lambert's lower branch.
+double sphere_contact_area(double depth, double a, double Rt) {
+  const double x = 2 * depth * Rt / (a * a);
+  return a * a * (x < 1 ? std::exp(1 + gsl_sf_lambert_Wm1(-x / std::numbers::e)) : 1);
 }
+
 AnyCurveModel sphere_pretension(const ModelGeometry& m) {
   const double a = m.a_A, Rt = m.tip_A;
   const auto slope = [=](double d) {
-    const double b = sphere_contact(std::abs(d), a, Rt);
-    return std::copysign(2 * pi * b * b / Rt, d);
+    return d == 0 ? 0 : std::copysign(2 * pi * sphere_contact_area(std::abs(d), a, Rt) / Rt, d);
   };
-  const double alpha = FoepplCurve(m.nu, 0).alpha() / (a * a);
+  const double alpha = foeppl_curve(m.nu, 0)->alpha() / (a * a);
   return {2, [=](double d, std::span<const double> p) { return alpha * p[0] * d * d * d + p[1] * slope(d); },
           [=](double d, std::span<const double>, std::span<double> g) {
             g[0] = alpha * d * d * d;
@@ -87,15 +80,14 @@ AnyCurveModel sphere_pretension(const ModelGeometry& m) {
 }
 
 AnyCurveModel plate(const ModelGeometry& m) {
-  const FoepplCurve curve(m.nu, relative_tip(m));
-  return cubic_and_linear(curve.alpha() / (m.a_A * m.a_A), curve.beta() * pi, plate_stiffness(m));
+  const auto curve = foeppl_curve(m.nu, relative_tip(m));
+  return cubic_and_linear(curve->alpha() / (m.a_A * m.a_A), curve->beta() * pi, plate_stiffness(m));
 }
 
 /// A disc of the sheet's own size is a pressure: p = F/(π a²).
 AnyCurveModel hencky(const ModelGeometry& m) {
-  const FoepplCurve curve(m.nu, 1);
   const double area = pi * m.a_A * m.a_A;
-  return cubic_and_linear(curve.alpha() / (m.a_A * m.a_A) / area, 4 / (m.a_A * m.a_A));
+  return cubic_and_linear(foeppl_curve(m.nu, 1)->alpha() / (m.a_A * m.a_A) / area, 4 / (m.a_A * m.a_A));
 }
 
 constexpr std::array forms = {
