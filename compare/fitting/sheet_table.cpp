@@ -4,8 +4,11 @@
 #include <gsl/gsl_spline.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -365,10 +368,40 @@ class Table {
   double error_ = 0;
 };
 
+/// To the next power of this base.
+double rounded_up(double value, double base) { return std::pow(base, std::ceil(std::log(value) / std::log(base))); }
+
+/// One of the paper's membrane, which scales with E·h, serves all curves of a drum: its range is rounded up, and it is
+/// kept. For any number of threads; two that ask at once may both make it.
+std::shared_ptr<const Table> table_of(const MembraneTip& tip, const TableRange& range) {
+  if (tip.physics) return std::make_shared<const Table>(tip, range);
+  constexpr double any_Eh = 20, depths = 1.1, shares = 1.5;
+  const TableRange round{rounded_up(range.deepest_A, depths), any_Eh,
+                         rounded_up(std::max(range.pretension_share, least_share), shares), range.coarse};
+  using Key = std::array<double, 8>;
+  static std::mutex mutex;
+  static std::map<Key, std::shared_ptr<const Table>> known;
+  const Key key{tip.a_A,
+                tip.nu,
+                tip.tip_A,
+                tip.record_radius_A,
+                tip.is_sphere() ? 1.0 : 0.0,
+                round.deepest_A,
+                round.pretension_share,
+                round.coarse ? 1.0 : 0.0};
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+  }
+  auto table = std::make_shared<const Table>(tip, round);
+  const std::lock_guard lock(mutex);
+  return known.try_emplace(key, std::move(table)).first->second;
+}
+
 }  // namespace
 
 ForceModel sheet_table(const MembraneTip& tip, const TableRange& range) {
-  const auto table = std::make_shared<const Table>(tip, range);
+  const auto table = table_of(tip, range);
   return {[table](double depth, double Eh, double pretension) { return table->at(depth, Eh, pretension); },
           table->deepest(), table->error(), range.Eh_eV_per_A2,
           [table](double Eh, double pretension) -> ForceCurve {

@@ -75,7 +75,7 @@ TEST_P(SheetTable, TheCurveIsTheSameFunction) {
     const double pretension = share * range().pretension_share * modulus;
     const ForceCurve curve = curve_of(model, modulus, pretension);
     for (const double part : {0.005, 0.019, 0.021, 0.1, 0.7, 0.999, 1.03}) {
-      const double depth = part * model.deepest_A, h = 4e-5 * depth;
+      const double depth = part * model.deepest_A, h = 1e-5 * depth;
       const ForceAlong along = curve(depth);
       const ForceAt at = model.at(depth, modulus, pretension);
       EXPECT_NEAR(along.value.force, at.force, 1e-11 * std::abs(at.force)) << part;
