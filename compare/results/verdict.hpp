@@ -85,11 +85,13 @@ void describe(SameStruct<Agreement> auto& agreement, auto&& visit) {
   visit(Field{"ratios", unit::none, "one entry per depth judged"}, agreement.ratios);
 }
 
-/// Where a sheet of atoms is, beside the like-for-like membrane at the same depth.
-enum class Regime { bending, membrane, softening, artefact };
+/// What parts a sheet of atoms from the like-for-like membrane at the same depth: nothing (membrane), the largest of
+/// bending and the law's softening or hardening, or two of them that cancel each other.
+enum class Regime { bending, membrane, softening, hardening, cancellation, artefact };
 constexpr auto words(Regime) {
-  return std::array{Word{Regime::bending, "bending"}, Word{Regime::membrane, "membrane"},
-                    Word{Regime::softening, "softening"}, Word{Regime::artefact, "artefact"}};
+  return std::array{Word{Regime::bending, "bending"},           Word{Regime::membrane, "membrane"},
+                    Word{Regime::softening, "softening"},       Word{Regime::hardening, "hardening"},
+                    Word{Regime::cancellation, "cancellation"}, Word{Regime::artefact, "artefact"}};
 }
 
 /// One load's atoms against the like-for-like membrane, at every depth that both have. Ratios are atoms / membrane:
@@ -101,7 +103,7 @@ struct Comparison {
   std::vector<double> sheet_depth_ratio;                       ///< depth over the calibrated sheet's at equal force
   std::vector<Regime> regime;
 
-  /// Depths that separate the regimes, where they are crossed: force ratio down to 1 + tolerance, down to 1 −
+  /// Depths where the force ratio crosses the regime tolerance: force ratio down to 1 + tolerance, down to 1 −
   /// tolerance, longest bond in the artefact zone.
   double bending_to_A = not_known, softening_from_A = not_known, artefact_from_A = not_known;
   double predicted_artefact_from_A = not_known;  ///< by the calibrated sheet's strains
@@ -128,7 +130,8 @@ void describe(SameStruct<Comparison> auto& comparison, auto&& visit) {
         comparison.sheet_ratio);
   visit(Column{"sheet_depth_ratio", unit::none, "d_atoms / d_calibrated sheet at the atoms' force"},
         comparison.sheet_depth_ratio);
-  visit(Column{"regime", unit::none, "bending, membrane, softening or artefact"}, comparison.regime);
+  visit(Column{"regime", unit::none, "bending, membrane, softening, hardening, cancellation or artefact"},
+        comparison.regime);
 }
 
 /// What makes up the difference between the atoms' force and that of a plain membrane (St Venant–Kirchhoff, nominal

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compare/fitting/curve.hpp"
+#include "compare/verdict/regimes.hpp"
 
 namespace validate {
 
@@ -191,12 +192,6 @@ double crossing(const Comparison& c, double value) {
   return not_known;
 }
 
-Regime regime_of(double ratio, bool artefact, double tolerance) {
-  if (artefact) return Regime::artefact;
-  if (ratio > 1 + tolerance) return Regime::bending;
-  return ratio < 1 - tolerance ? Regime::softening : Regime::membrane;
-}
-
 /// A curve's y at any x: its own value where it has this x (curves under the same pressures), interpolated between,
 /// nothing beyond and where there is no curve.
 class Lookup {
@@ -241,6 +236,7 @@ Comparison comparison_of(const Result& result, const Run& atoms, const Run& memb
                sheet_depth = depths_by_load(sheet), calibrated_force = loads_by_depth(calibrated);
   Comparison c;
   c.load = atoms.load;
+  std::vector<bool> artefacts;
   for (const std::size_t i : converged_points(atoms)) {
     const double d = atoms.depth_A[i], F = load_values(atoms)[i];
     const double force_ratio = F / force.at(d), depth_ratio = d / depth.at(F);
@@ -254,10 +250,12 @@ Comparison comparison_of(const Result& result, const Run& atoms, const Run& memb
     c.calibrated_membrane_ratio.push_back(F / calibrated_force.at(d));
     c.sheet_ratio.push_back(F / sheet_force.at(d));
     c.sheet_depth_ratio.push_back(d / sheet_depth.at(F));
-    c.regime.push_back(regime_of(force_ratio, artefact, tolerance));
+    artefacts.push_back(artefact);
     if (artefact && !std::isfinite(c.artefact_from_A)) c.artefact_from_A = d;
   }
   if (sheet) c.predicted_artefact_from_A = depth_at_bond(*sheet, artefact_bond_of(result)).value_or(not_known);
+  const auto explanation = std::ranges::find(result.explanations, atoms.load, &Explanation::load);
+  c.regime = regimes_of(c, artefacts, explanation == result.explanations.end() ? nullptr : &*explanation, tolerance);
   c.bending_to_A = crossing(c, 1 + tolerance);
   c.softening_from_A = crossing(c, 1 - tolerance);
   return c;

@@ -28,9 +28,7 @@ void judge(Result& result);
 void settle(Agreement& agreement);
 
 /// Sets `comparisons`: for each load with an atomistic and a like-for-like membrane run, the ratios at every converged
-/// depth of the atoms that the membrane's curve covers, and the regimes by the case's regime tolerance: bending (ratio
-/// above 1 + tolerance, before any smaller one), softening (below 1 − tolerance), artefact (longest bond), membrane
-/// between.
+/// depth of the atoms that the membrane's curve covers, and the regimes by the case's regime tolerance.
 void compare_curves(Result& result);
 
 }  // namespace validate

@@ -10,6 +10,7 @@
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
+#include "compare/documents/texts/regime_text.hpp"
 
 namespace validate {
 namespace {
@@ -61,20 +62,14 @@ std::string heading(const Result& result) {
   return text;
 }
 
-std::string regimes(const Comparison& c, double tolerance) {
-  std::string text;
-  if (std::isfinite(c.bending_to_A))
-    text += fmt::format("Bending keeps the atoms more than {:g} % above the membrane up to a depth of {:.3g} Å. ",
-                        100 * tolerance, c.bending_to_A);
-  if (std::isfinite(c.softening_from_A))
-    text += fmt::format("Softening of the bonds takes them more than {:g} % below it from {:.3g} Å on. ",
-                        100 * tolerance, c.softening_from_A);
+std::string regimes(const Comparison& c) {
+  std::string text = fmt::format("{} (what a plain membrane lacks most of). ", regime_text(c));
   if (std::isfinite(c.artefact_from_A))
     text += fmt::format("From {:.3g} Å on the forces are an artefact of the potential. ", c.artefact_from_A);
   if (std::isfinite(c.predicted_artefact_from_A))
     text += fmt::format("The calibrated sheet's strains put the artefact's beginning at {:.3g} Å. ",
                         c.predicted_artefact_from_A);
-  return text.empty() ? "One regime throughout." : text;
+  return text;
 }
 
 std::string explanation(const Result& result, LoadKind load) {
@@ -97,8 +92,7 @@ std::string comparisons(const Result& result) {
   if (result.comparisons.empty()) return {};
   std::string text = "<h2>Where continuum and atoms part</h2>\n";
   for (const Comparison& c : result.comparisons) {
-    text +=
-        fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c, result.resolved.regime_tolerance));
+    text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c));
     Rows rows;
     for (std::size_t i = 0; i < c.depth_A.size(); ++i)
       rows.push_back({number(c.depth_A[i], "{:.3f}"), number(c.depth_relative[i], "{:.4f}"),

@@ -16,6 +16,7 @@
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
+#include "compare/documents/texts/regime_text.hpp"
 
 namespace validate {
 
@@ -106,21 +107,11 @@ std::string source_in_words(std::string source) {
 void add_regimes(std::string& text, const Result& result) {
   for (const Comparison& c : result.comparisons) {
     if (c.depth_A.empty() || c.load == LoadKind::pressure) continue;
-    const double largest = c.depth_A.back();
-    const double bending = std::isfinite(c.bending_to_A) ? c.bending_to_A : 0;
-    const double softening = std::isfinite(c.softening_from_A) ? c.softening_from_A : largest;
     std::string more;
-    if (std::isfinite(c.softening_from_A)) more += fmt::format("; softening from {:.3g} Å", c.softening_from_A);
     if (std::isfinite(c.artefact_from_A)) more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
     if (std::isfinite(c.predicted_artefact_from_A))
       more += fmt::format(" (predicted by the sheet's strains: {:.3g} Å)", c.predicted_artefact_from_A);
-    if (c.regime.back() == Regime::bending) {
-      sentence(text, "{} load: bending throughout (atoms / membrane above {:.2f}){}", to_string(c.load),
-               1 + result.resolved.regime_tolerance, more);
-    } else {
-      sentence(text, "{} load: bending up to {:.3g} Å, membrane from there to {:.3g} Å (within {:.0f} %){}",
-               to_string(c.load), bending, softening, 100 * result.resolved.regime_tolerance, more);
-    }
+    sentence(text, "{} load: {}{}", to_string(c.load), regime_text(c), more);
   }
   if (!result.comparisons.empty()) text += '\n';
 }
