@@ -22,7 +22,7 @@ struct HomogeneousState {
   double longest_bond_A = 0;
   double shift_x_A = 0, shift_y_A = 0;  ///< inner displacement of one sublattice beyond the affine one, in the sheet's
                                         ///< axes (zigzag along x) after the deformation's upper-triangular gradient
-  bool converged = false;
+  bool converged = false;               ///< the sublattices are in balance, and stable in it
 };
 
 /// A stress–strain curve. Nominal strain (stretch − 1) against nominal stress (first Piola–Kirchhoff membrane force);

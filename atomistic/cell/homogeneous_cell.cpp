@@ -75,6 +75,14 @@ double HomogeneousCell::longest_bond(const Matrix2d& f) const {
   return longest;
 }
 
+bool HomogeneousCell::stable(const Matrix2d& f) {
+  const double energy = energy_;
+  const Matrix2d stiffness = shift_stiffness(f, evaluate(f));
+  evaluate(f);  // the stiffness has left a displaced state behind
+  energy_ = energy;
+  return Eigen::SelfAdjointEigenSolver<Matrix2d>(stiffness).eigenvalues()[0] > 0;
+}
+
 /// Mean in-plane force on an atom of sublattice 1.
 Vector2d HomogeneousCell::evaluate(const Matrix2d& f) {
   VectorXd x = flat_;

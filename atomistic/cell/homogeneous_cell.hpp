@@ -37,6 +37,8 @@ class HomogeneousCell {
   const Eigen::Vector2d& shift() const { return shift_; }             ///< of sublattice 1 in the deformed cell, Å
   bool in_balance() const { return in_balance_; }                     ///< whether the last relaxation ended well
   double longest_bond(const Eigen::Matrix2d& f) const;                ///< of the last state
+  /// Whether the last state is a minimum over the inner displacement: by symmetry a balance can be a saddle.
+  bool stable(const Eigen::Matrix2d& f);
   long evaluations() const { return forces_.timing().calls; }
 
  private:

@@ -124,6 +124,7 @@ HomogeneousState state_at(HomogeneousCell& cell, const StrainState& strain, doub
     throw std::invalid_argument("state: this strain has no deformation");
   const Matrix2d f = gradient_of_strain(own);
   const Matrix2d s = turn.transpose() * pulled_back(f, cell.relaxed(f)) * turn;
+  const bool settled = cell.in_balance() && cell.stable(f);
   return {.strain = strain,
           .S11_eV_per_A2 = s(0, 0),
           .S22_eV_per_A2 = s(1, 1),
@@ -132,7 +133,7 @@ HomogeneousState state_at(HomogeneousCell& cell, const StrainState& strain, doub
           .longest_bond_A = cell.longest_bond(f),
           .shift_x_A = cell.shift().x(),
           .shift_y_A = cell.shift().y(),
-          .converged = cell.in_balance()};
+          .converged = settled};
 }
 
 }  // namespace

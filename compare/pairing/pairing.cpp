@@ -131,9 +131,9 @@ membrane::CauchyBorn prestretched(membrane::CauchyBorn law, double stretch) {
   return law;
 }
 
-/// The curve ends a little beyond the potential's artefact length.
+/// The curve ends a little beyond what the law is fitted to, where the artefact's beginning can be foretold.
 ContinuumExperiment calibrated(const Case& c, const Material& m, LoadKind load, Purpose purpose, Model model) {
-  constexpr double beyond_A = 0.03;
+  constexpr double beyond_A = 0.05;
   const CalibratedLaw& law = *m.card.law;
   ContinuumExperiment e = round_sheet(c, m, load, purpose, model, Constants::calibrated);
   e.stretch = 1 + m.sheet.biaxial_strain();
@@ -144,7 +144,8 @@ ContinuumExperiment calibrated(const Case& c, const Material& m, LoadKind load, 
   if (model == Model::sheet)
     e.problem.bending = membrane::clamped_all_round(m.card.card.bending_modulus_eV() / (e.stretch * e.stretch));
   e.longest_bond = law.longest_bond;
-  e.last_bond_A = m.file.potential.artefact_bond_A + beyond_A;
+  e.law_holds_to_A = law.range.holds_A;
+  e.last_bond_A = law.range.fitted_A + beyond_A;
   return e;
 }
 

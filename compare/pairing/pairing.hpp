@@ -43,6 +43,7 @@ struct ContinuumExperiment {
   double thickness_A = graphite_spacing_A;  ///< that stresses are over
   std::optional<LongestBond> longest_bond;  ///< where the law knows it
   double stretch = 1;                       ///< of the flat sheet, which the bond's strains must count
+  double law_holds_to_A = 0;                ///< longest bond that the law is calibrated to
   double last_bond_A = 0;                   ///< the curve need not go on from there
 };
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Counts up when a number of the card is computed in another way.
-constexpr int card_layout = 4;
+constexpr int card_layout = 5;
 
 std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::path& file) {
   std::ifstream in(file);
@@ -54,8 +54,9 @@ void keep(const PotentialCard& card, const fs::path& file) {
 
 void add_law(PotentialCard& card) {
   try {
-    card.law = calibrate(card.card, card.response.states);
-    card.law->sixfold = calibrate_sixfold(card.card, card.response.states);
+    const CalibrationRange range = calibration_range(card.potential.potential.artefact_bond_A);
+    card.law = calibrate(card.card, card.response.states, range);
+    card.law->sixfold = calibrate_sixfold(card.card, card.response.states, range);
   } catch (const std::invalid_argument& reason) {
     card.no_law = reason.what();
   }
@@ -114,10 +115,11 @@ PotentialCard potential_card(const PotentialFile& potential, const AtomsLaunch& 
   PotentialCard card{.potential = potential, .card = {}, .response = {}, .lammps = {}, .law = {}, .no_law = {}};
   TemporaryFolder folder("validate-card");
   run_job(launch, folder, "card", atomistic::CardJob{potential.potential}, TakeEvents{card});
-  run_job(
-      launch, folder, "response",
-      atomistic::ResponseJob{potential.potential, card.card, calibration_strains(card.card.a0_A / std::numbers::sqrt3)},
-      TakeEvents{card});
+  run_job(launch, folder, "response",
+          atomistic::ResponseJob{potential.potential, card.card,
+                                 calibration_strains(card.card.a0_A / std::numbers::sqrt3,
+                                                     calibration_range(potential.potential.artefact_bond_A))},
+          TakeEvents{card});
   if (!file.empty()) keep(card, file);
   add_law(card);
   return card;

@@ -31,10 +31,13 @@ constexpr auto words(Constants) {
                     Word{Constants::calibrated, "calibrated"}};
 }
 
-enum class Ended { depth_max, artefact, rupture, not_converged };
+/// calibration_end: a calibrated law was left; rupture: atoms that have come apart, or a sheet that has no equilibrium
+/// beyond although its law holds there.
+enum class Ended { depth_max, artefact, calibration_end, rupture, not_converged };
 constexpr auto words(Ended) {
   return std::array{Word{Ended::depth_max, "depth_max"}, Word{Ended::artefact, "artefact"},
-                    Word{Ended::rupture, "rupture"}, Word{Ended::not_converged, "not_converged"}};
+                    Word{Ended::calibration_end, "calibration_end"}, Word{Ended::rupture, "rupture"},
+                    Word{Ended::not_converged, "not_converged"}};
 }
 
 /// In a table, also for a curve whose program failed.
@@ -172,7 +175,10 @@ void describe(Self& run, Visitor&& visit) {
   visit(Field{"nu", unit::none, "Poisson's ratio as used; for atoms the card's"}, run.nu);
   visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"}, run.pretension_eV_per_A2);
   visit(Field{"record_radius", unit::length, "where the depth of record is taken; 0: the centre"}, run.record_radius_A);
-  visit(Field{"ended", unit::none, "how the path ended; unknown where its program failed"}, run.ended);
+  visit(Field{"ended", unit::none,
+              "depth_max; artefact: of the atoms' potential; calibration_end: a law's; rupture: no equilibrium beyond; "
+              "not_converged; unknown where its program failed"},
+        run.ended);
   visit(Field{"ended_reason", unit::none, "the same in words"}, run.ended_reason);
   visit(Column{"depth", unit::length, "depth of record"}, run.depth_A);
   visit(Column{"conjugate_depth", unit::length, "depth that is work-conjugate to the force"}, run.conjugate_depth_A);

@@ -8,10 +8,10 @@
 
 #include "compare/base/interrupt.hpp"
 #include "compare/base/progress.hpp"
-#include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
 #include "compare/results/sheet_columns.hpp"
 #include "compare/study/curves.hpp"
+#include "compare/study/meridian_curve.hpp"
 
 namespace validate {
 namespace {
@@ -24,8 +24,7 @@ Anisotropy anisotropy_of(const ContinuumExperiment& sheet, const CalibratedLaw& 
   Anisotropy found;
   double deepest = 0;
   for (std::size_t i = 0; i < sheet.run.conjugate_depth_A.size(); ++i)
-    if (sheet.run.longest_bond_A[i] <= longest_calibrated_bond_A)
-      deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
+    if (sheet.run.longest_bond_A[i] <= law.range.holds_A) deepest = std::max(deepest, sheet.run.conjugate_depth_A[i]);
   if (!(deepest > 0)) return {};
   for (int i = 1; i <= parts; ++i) found.conjugate_depth_A.push_back(deepest * i / parts);
   found.ratio = anisotropy_ratios(law, sheet.run.a_A, disc->radius_A, found.conjugate_depth_A);
@@ -69,27 +68,6 @@ void solve_triangles(ContinuumExperiment& e, bool all_fields) {
   e.run.continuum().pictures = std::make_shared<const std::vector<SheetPicture>>(album.pictures());
 }
 
-void solve_meridian(ContinuumExperiment& e) {
-  bool left_the_law = false;
-  const membrane::Report report = membrane::solve(e.problem, [&](const membrane::Step& step) {
-    if (!step.converged) return false;
-    append(e.run, step, e.longest_bond, e.stretch);
-    left_the_law = e.longest_bond && e.run.longest_bond_A.back() >= e.last_bond_A;
-    return !left_the_law && !interrupted();
-  });
-  close(e.run, report);
-  constexpr double near_breaking_A = 1.55;
-  const std::vector<double>& bonds = e.run.longest_bond_A;
-  if (!report.converged && !left_the_law && !bonds.empty() && bonds.back() >= near_breaking_A) {
-    e.run.ended = Ended::rupture;
-    e.run.ended_reason =
-        fmt::format("the law bears no more: no equilibrium beyond a longest bond of {:.2f} Å", bonds.back());
-  }
-  if (!left_the_law) return;
-  e.run.ended = Ended::artefact;
-  e.run.ended_reason = fmt::format("the longest bond that the strains predict is {:.2f} Å", bonds.back());
-}
-
 bool on_triangles(const ContinuumExperiment& e) {
   return std::holds_alternative<membrane::Triangles>(e.problem.discretisation);
 }
@@ -113,7 +91,7 @@ void solve(ContinuumExperiment& e, bool all_fields) {
   if (on_triangles(e))
     solve_triangles(e, all_fields);
   else
-    solve_meridian(e);
+    solve_on_meridian(e);
 }
 
 Continua::Continua(std::vector<PairedLoad>& loads, const CalibratedLaw* law, bool all_fields)

@@ -12,8 +12,7 @@
 namespace validate {
 
 /// Solves a curve as far as it goes, or until an interrupt. Of a sheet of triangles the fields of its last converged
-/// level are kept, or of every one; under a pressure of every one, and their extremes become columns. A law that knows
-/// its longest bond ends where the potential's artefact zone is well entered: beyond, it stands for nothing.
+/// level are kept, or of every one; under a pressure of every one, and their extremes become columns.
 void solve(ContinuumExperiment& experiment, bool all_fields);
 
 class Continua {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "atomistic/loads/load_term.hpp"
-#include "compare/potential/law/states.hpp"
 #include "compare/potential/law/variants.hpp"
 #include "compare/process/provenance.hpp"
 
@@ -50,7 +49,7 @@ LawSummary summary_of(const CalibratedLaw& law, double bending_modulus_eV) {
   summary.worst_misfit = law.worst_misfit;
   summary.anisotropy = law.anisotropy;
   summary.smallest_strain = law.smallest_strain;
-  summary.longest_bond_A = longest_calibrated_bond_A;
+  summary.longest_bond_A = law.range.holds_A;
   summary.convex = law.convexity.convex();
   summary.smallest_tangent_eV_per_A2 = law.convexity.smallest_eigenvalue_eV_per_A2;
   summary.smallest_tangent_at = {law.convexity.E1, law.convexity.E2};
@@ -100,7 +99,7 @@ StrainStates summary_of(const std::vector<atomistic::HomogeneousState>& states) 
 
 std::vector<LawForm> forms_of(const PotentialCard& card) {
   std::vector<LawForm> forms;
-  for (const LawVariant& v : law_variants(card.card, card.response.states))
+  for (const LawVariant& v : law_variants(card.card, card.response.states, card.law->range))
     forms.push_back({v.name, static_cast<int>(v.coefficients), v.rms_misfit, v.worst_misfit, v.force_difference,
                      v.name == "sixfold" ? "degree 8"
                      : v.name == "table" ? "itself"

@@ -63,7 +63,7 @@ constexpr double times_fitted = 3, smallest_misfit = 1e-3, share_of_directions =
 double fitted_misfit(const CalibratedLaw& law) {
   double largest = 0;
   for (const CalibratedState& s : law.states) {
-    if (s.atoms.longest_bond_A > longest_fitted_bond_A) continue;
+    if (s.atoms.longest_bond_A > law.range.fitted_A) continue;
     membrane::CauchyBornSixfold turned = law.sixfold;
     turned.zigzag_rad = -s.atoms.strain.orientation_deg * std::numbers::pi / 180;
     largest = std::max(largest, misfit(s.atoms, turned({s.atoms.strain.E11, s.atoms.strain.E22, 0}).force_eV_per_A2));

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "compare/potential/law/linear_fit.hpp"
-#include "compare/potential/law/states.hpp"
 
 namespace validate {
 namespace {
@@ -61,13 +60,15 @@ LinearFit fit_terms(const membrane::CauchyBorn& quadratic, const std::vector<con
   return linear_fit(X, y, weights);
 }
 
-/// The longest bond of every pair of principal strains over the directions computed.
+constexpr double longest_of_use_A = 1.75;  // beyond, a bond is on its way to break
+
+/// The longest bond of every pair of principal strains over the directions computed, where the lattice bears all three.
 LongestBond fit_longest_bond(double rest_A, const std::vector<HomogeneousState>& states, double up_to_A) {
-  constexpr int degree = 3;
+  const int degree = up_to_A > longest_of_use_A ? 4 : 3;  // of 3 left 0.02 Å up to 1.9 Å, 4 leaves 0.005 Å
   std::map<std::pair<double, double>, double> longest;
   for (const HomogeneousState& s : states) {
     double& bond = longest[{s.strain.E11, s.strain.E22}];
-    bond = std::max(bond, s.longest_bond_A);
+    bond = std::max(bond, s.converged ? s.longest_bond_A : std::numeric_limits<double>::infinity());
   }
   std::erase_if(longest, [&](const auto& entry) { return entry.second > up_to_A; });
   const auto powers = exponents(1, degree, true);
@@ -109,14 +110,14 @@ Convexity convexity_of(const CalibratedLaw& calibrated, double largest_strain) {
 }
 
 /// How far the forces along zigzag and armchair are from those in between, over the states that all three have.
-double anisotropy_of(const std::vector<CalibratedState>& states) {
+double anisotropy_of(const std::vector<CalibratedState>& states, double up_to_A) {
   std::map<std::pair<double, double>, const HomogeneousState*> between;
   for (const CalibratedState& s : states)
     if (s.fitted) between[{s.atoms.strain.E11, s.atoms.strain.E22}] = &s.atoms;
   double largest = 0;
   for (const CalibratedState& s : states) {
     const auto found = between.find({s.atoms.strain.E11, s.atoms.strain.E22});
-    if (found == between.end() || s.atoms.longest_bond_A > longest_calibrated_bond_A) continue;
+    if (found == between.end() || s.atoms.longest_bond_A > up_to_A) continue;
     const double difference = std::hypot(s.atoms.S11_eV_per_A2 - found->second->S11_eV_per_A2,
                                          s.atoms.S22_eV_per_A2 - found->second->S22_eV_per_A2);
     largest = std::max(largest, difference / size_of(*found->second));
@@ -148,18 +149,18 @@ double LongestBond::operator()(double E1, double E2) const {
 
 bool CalibratedLaw::within(double E1, double E2) const {
   constexpr double rounding = 1e-12;
-  return std::min(E1, E2) >= smallest_strain - rounding && longest_bond(E1, E2) <= longest_calibrated_bond_A;
+  return std::min(E1, E2) >= smallest_strain - rounding && longest_bond(E1, E2) <= range.holds_A;
 }
 
-CalibratedLaw calibrate(const atomistic::Card& card, const std::vector<HomogeneousState>& states, int degree) {
+CalibratedLaw calibrate(const atomistic::Card& card, const std::vector<HomogeneousState>& states,
+                        const CalibrationRange& range, int degree) {
   CalibratedLaw calibrated;
   calibrated.degree = degree;
-  std::vector<HomogeneousState> converged;
+  calibrated.range = range;
   for (const HomogeneousState& s : states) {
     if (!s.converged) continue;
     const bool averaged = s.strain.orientation_deg == averaged_deg;
-    converged.push_back(s);
-    calibrated.states.push_back({s, 0, 0, averaged && s.longest_bond_A <= longest_fitted_bond_A});
+    calibrated.states.push_back({s, 0, 0, averaged && s.longest_bond_A <= range.fitted_A});
   }
   std::vector<const HomogeneousState*> fitted;
   double largest_strain = 0;
@@ -179,10 +180,10 @@ CalibratedLaw calibrate(const atomistic::Card& card, const std::vector<Homogeneo
   }
   calibrated.condition_number = fit.condition_number;
   judge_misfit(calibrated);
-  constexpr double longest_of_use_A = 1.75;  // beyond, a bond is on its way to break
-  calibrated.longest_bond = fit_longest_bond(card.a0_A / std::numbers::sqrt3, converged, longest_of_use_A);
+  calibrated.longest_bond =
+      fit_longest_bond(card.a0_A / std::numbers::sqrt3, states, std::max(longest_of_use_A, range.fitted_A));
   calibrated.convexity = convexity_of(calibrated, largest_strain);
-  calibrated.anisotropy = anisotropy_of(calibrated.states);
+  calibrated.anisotropy = anisotropy_of(calibrated.states, range.holds_A);
   return calibrated;
 }
 

@@ -6,6 +6,7 @@
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
+#include "compare/potential/law/states.hpp"
 #include "membrane/laws/cauchy_born.hpp"
 #include "membrane/laws/cauchy_born_sixfold.hpp"
 
@@ -29,7 +30,7 @@ struct LongestBond {
 struct CalibratedState {
   atomistic::HomogeneousState atoms;
   double law_S1_eV_per_A2 = 0, law_S2_eV_per_A2 = 0;
-  bool fitted = false;  ///< 15° from zigzag, longest bond up to 1.68 Å
+  bool fitted = false;  ///< 15° from zigzag, longest bond within what is fitted
 };
 
 /// Where dS/dE has the smallest eigenvalue within the range of the law.
@@ -50,9 +51,10 @@ struct CalibratedLaw {
   std::vector<CalibratedState> states;
   LongestBond longest_bond;
   Convexity convexity;
+  CalibrationRange range;
   double smallest_strain = 0;  ///< E2 of the fitted states
 
-  /// True where the law was fitted: compressed no further, longest bond up to 1.66 Å.
+  /// True where the law was fitted: compressed no further, longest bond up to where it holds.
   bool within(double E1, double E2) const;
 };
 
@@ -64,6 +66,6 @@ inline constexpr int default_degree = 8;
 /// membrane::CauchyBorn::highest_degree), b ≠ 1. Throws
 /// std::invalid_argument where the states that have converged are too few.
 CalibratedLaw calibrate(const atomistic::Card& card, const std::vector<atomistic::HomogeneousState>& states,
-                        int degree = default_degree);
+                        const CalibrationRange& range, int degree = default_degree);
 
 }  // namespace validate

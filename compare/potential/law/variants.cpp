@@ -19,10 +19,11 @@ using membrane::Voigt;
 Voigt strain_of(const HomogeneousState& s) { return {s.strain.E11, s.strain.E22, 2 * s.strain.E12}; }
 Voigt force_of(const HomogeneousState& s) { return {s.S11_eV_per_A2, s.S22_eV_per_A2, s.S12_eV_per_A2}; }
 
-std::vector<const HomogeneousState*> usable(const std::vector<HomogeneousState>& states, bool all_directions) {
+std::vector<const HomogeneousState*> usable(const std::vector<HomogeneousState>& states, const CalibrationRange& range,
+                                            bool all_directions) {
   std::vector<const HomogeneousState*> found;
   for (const HomogeneousState& s : states)
-    if (s.converged && s.longest_bond_A <= longest_fitted_bond_A &&
+    if (s.converged && s.longest_bond_A <= range.fitted_A &&
         (all_directions || s.strain.orientation_deg == averaged_deg))
       found.push_back(&s);
   return found;
@@ -120,8 +121,9 @@ Voigt sixfold_force(membrane::CauchyBornSixfold law, const HomogeneousState& s) 
 
 }  // namespace
 
-membrane::CauchyBornTable calibrate_table(const atomistic::Card& card, const std::vector<HomogeneousState>& states) {
-  const auto fitted = usable(states, false);
+membrane::CauchyBornTable calibrate_table(const atomistic::Card& card, const std::vector<HomogeneousState>& states,
+                                          const CalibrationRange& range) {
+  const auto fitted = usable(states, range, false);
   membrane::CauchyBornTable table{card.sheet_modulus_eV_per_A2(), card.nu(), {}, {}, {}};
   double least = 0, most = 0, shear = 0;
   for (const HomogeneousState* s : fitted) {
@@ -142,8 +144,8 @@ membrane::CauchyBornTable calibrate_table(const atomistic::Card& card, const std
                              }));
 }
 
-membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card,
-                                              const std::vector<HomogeneousState>& states) {
+membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card, const std::vector<HomogeneousState>& states,
+                                              const CalibrationRange& range) {
   membrane::CauchyBornSixfold law{card.sheet_modulus_eV_per_A2(), card.nu(), 0, {}};
   const auto add = [&](membrane::Sixfold angle, int lowest_b, int highest_degree) {
     for (int degree = 3; degree <= highest_degree; ++degree)
@@ -160,12 +162,13 @@ membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card,
     return l;
   };
   return with(
-      fit_linear_law(law.terms.size(), usable(states, true),
+      fit_linear_law(law.terms.size(), usable(states, range, true),
                      [&](const Eigen::VectorXd& c, const HomogeneousState& s) { return sixfold_force(with(c), s); }));
 }
 
-std::vector<LawVariant> law_variants(const atomistic::Card& card, const std::vector<HomogeneousState>& states) {
-  const auto averaged = usable(states, false), all = usable(states, true);
+std::vector<LawVariant> law_variants(const atomistic::Card& card, const std::vector<HomogeneousState>& states,
+                                     const CalibrationRange& range) {
+  const auto averaged = usable(states, range, false), all = usable(states, range, true);
   const auto isotropic = [](const auto& law) {
     return [&law](const HomogeneousState& s) -> Voigt {
       Voigt force = law(strain_of(s)).force_eV_per_A2;
@@ -174,18 +177,18 @@ std::vector<LawVariant> law_variants(const atomistic::Card& card, const std::vec
     };
   };
   const double bending = card.bending_modulus_eV();
-  const membrane::CauchyBornTable table = calibrate_table(card, states);
+  const membrane::CauchyBornTable table = calibrate_table(card, states, range);
   const std::vector<double> reference = sheet_forces(table, bending);
   std::vector<LawVariant> found;
   CalibratedLaw highest;
   for (int degree = 5; degree <= default_degree; ++degree) {
-    highest = calibrate(card, states, degree);
+    highest = calibrate(card, states, range, degree);
     found.push_back(
         variant(fmt::format("degree {}", degree), highest.law.terms.size(), averaged, isotropic(highest.law)));
     found.back().force_difference = largest_difference(sheet_forces(highest.law, bending), reference);
   }
   found.push_back(variant("table", table.coefficients_eV_per_A2.size(), averaged, isotropic(table)));
-  const membrane::CauchyBornSixfold sixfold = calibrate_sixfold(card, states);
+  const membrane::CauchyBornSixfold sixfold = calibrate_sixfold(card, states, range);
   found.push_back(variant("sixfold", sixfold.terms.size(), all,
                           [&](const HomogeneousState& s) { return sixfold_force(sixfold, s); }));
   highest.sixfold = sixfold;

@@ -12,12 +12,14 @@ namespace validate {
 /// The law as a table in I and q (cubic splines), fitted to the same states. Throws std::invalid_argument where they
 /// are too few.
 membrane::CauchyBornTable calibrate_table(const atomistic::Card& card,
-                                          const std::vector<atomistic::HomogeneousState>& states);
+                                          const std::vector<atomistic::HomogeneousState>& states,
+                                          const CalibrationRange& range);
 
 /// The law with the lattice's directions: the polynomial's terms and those in cos 6θ, cos² 6θ and of the knots, fitted
 /// to the states along zigzag, armchair and between. Zigzag along x. Throws as above.
 membrane::CauchyBornSixfold calibrate_sixfold(const atomistic::Card& card,
-                                              const std::vector<atomistic::HomogeneousState>& states);
+                                              const std::vector<atomistic::HomogeneousState>& states,
+                                              const CalibrationRange& range);
 
 /// A form, how well it gives the lattice's membrane forces (all components, relative, as in CalibratedLaw), and how far
 /// a disc of 10 Å on a sheet of 110 Å feels the difference from the form it is compared with.
@@ -31,7 +33,8 @@ struct LawVariant {
 /// Degrees 5 to 8 and the table against the table, in one dimension with bending; the sixfold form against degree 8, on
 /// triangles without.
 std::vector<LawVariant> law_variants(const atomistic::Card& card,
-                                     const std::vector<atomistic::HomogeneousState>& states);
+                                     const std::vector<atomistic::HomogeneousState>& states,
+                                     const CalibrationRange& range);
 
 /// Force of the sixfold membrane over that of the isotropic one at equal controlled depths of a disc load, on
 /// triangles.

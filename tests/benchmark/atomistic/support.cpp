@@ -32,8 +32,10 @@ const validate::CalibratedLaw& law(const std::string& name) {
   static std::map<std::string, validate::CalibratedLaw> laws;
   if (!laws.contains(name)) {
     const Card& c = card(name);
+    const validate::CalibrationRange range = validate::calibration_range(potential(name).artefact_bond_A);
     laws[name] = validate::calibrate(
-        c, compute_response(potential(name), c, validate::calibration_strains(c.bond_A()), "none").states);
+        c, compute_response(potential(name), c, validate::calibration_strains(c.bond_A(), range), "none").states,
+        range);
   }
   return laws[name];
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -39,9 +40,11 @@ atomistic::HomogeneousState answer(const atomistic::StrainState& strain) {
   return s;
 }
 
-std::vector<atomistic::HomogeneousState> answers() {
+const CalibrationRange usual = calibration_range(1.70);
+
+std::vector<atomistic::HomogeneousState> answers(const CalibrationRange& range = usual) {
   std::vector<atomistic::HomogeneousState> states;
-  for (const atomistic::StrainState& strain : calibration_strains(bond_A)) states.push_back(answer(strain));
+  for (const atomistic::StrainState& strain : calibration_strains(bond_A, range)) states.push_back(answer(strain));
   return states;
 }
 
@@ -66,15 +69,55 @@ TEST(LinearFit, RefusesWhatDoesNotDetermineIt) {
 }
 
 TEST(Calibration, StatesCoverTheRangeAtThreeAngles) {
-  const auto strains = calibration_strains(bond_A);
-  EXPECT_EQ(strains.size(), 176u);
-  double largest = 0;
-  for (const auto& s : strains) largest = std::max(largest, s.E11);
-  EXPECT_NEAR(std::sqrt(1 + 2 * largest) * bond_A, longest_calibrated_bond_A, 1e-12);
+  const auto longest_A = [](const std::vector<atomistic::StrainState>& strains) {
+    double largest = 0;
+    for (const auto& s : strains) largest = std::max(largest, s.E11);
+    return std::sqrt(1 + 2 * largest) * bond_A;
+  };
+  EXPECT_EQ(calibration_strains(bond_A, usual).size(), 176u);
+  EXPECT_NEAR(longest_A(calibration_strains(bond_A, usual)), 1.66, 1e-12);
+  // a switch that is moved adds states beyond, and leaves the others where they were
+  const auto farther = calibration_strains(bond_A, calibration_range(1.92));
+  EXPECT_NEAR(longest_A(farther), 1.88, 1e-12);
+  for (const auto& s : calibration_strains(bond_A, usual))
+    EXPECT_EQ(std::ranges::count_if(farther,
+                                    [&](const auto& f) {
+                                      return f.E11 == s.E11 && f.E22 == s.E22 && f.orientation_deg == s.orientation_deg;
+                                    }),
+              1);
+}
+
+TEST(Calibration, ReachesAsFarAsThePotentialBearsAndNoFarther) {
+  EXPECT_NEAR(usual.holds_A, 1.66, 1e-12);
+  EXPECT_NEAR(usual.fitted_A, 1.68, 1e-12);
+  EXPECT_NEAR(calibration_range(1.92).holds_A, 1.88, 1e-12);
+  EXPECT_NEAR(calibration_range(1.92).fitted_A, 1.90, 1e-12);
+  EXPECT_NEAR(calibration_range(2.5).fitted_A, 1.90, 1e-12);
+  EXPECT_NEAR(calibration_range(1.6).fitted_A, 1.58, 1e-12);
+}
+
+/// What the lattice cannot bear, in one direction of the three, says nothing of its longest bond.
+TEST(Calibration, FitsALawFartherAndLeavesOutWhatTheLatticeDoesNotBear) {
+  const CalibrationRange far = calibration_range(1.92);
+  std::vector<atomistic::HomogeneousState> states = answers(far);
+  int lost = 0;
+  for (auto& s : states) {
+    if (!(s.strain.E11 + s.strain.E22 > 0.5) || s.strain.orientation_deg == zigzag_deg) continue;
+    s.converged = false;
+    s.S11_eV_per_A2 = -100;
+    s.longest_bond_A = 1.5;
+    ++lost;
+  }
+  ASSERT_GT(lost, 10);
+  const CalibratedLaw found = calibrate(card(), states, far);
+  EXPECT_LT(found.worst_misfit, 1e-8);
+  EXPECT_LT(found.longest_bond.worst_misfit_A, 1e-8);
+  EXPECT_TRUE(found.within(0.25, 0.1));
+  EXPECT_FALSE(calibrate(card(), answers(), usual).within(0.25, 0.1));
 }
 
 TEST(Calibration, FindsTheCoefficientsOfAPolynomialSheet) {
-  const CalibratedLaw found = calibrate(card(), answers());
+  const CalibratedLaw found = calibrate(card(), answers(), usual);
   EXPECT_EQ(found.law.terms.size(), 33u);  // 3 + 4 + … + 8
   EXPECT_NEAR(found.law.sheet_modulus_eV_per_A2, 20 - 25.0 / 20, 1e-12);
   for (const auto& [a, b, c] : found.law.terms) {
@@ -89,7 +132,7 @@ TEST(Calibration, FindsTheCoefficientsOfAPolynomialSheet) {
 }
 
 TEST(Calibration, LongestBondFollowsFromTheStrain) {
-  const CalibratedLaw found = calibrate(card(), answers());
+  const CalibratedLaw found = calibrate(card(), answers(), usual);
   EXPECT_LT(found.longest_bond.worst_misfit_A, 1e-10);
   EXPECT_NEAR(found.longest_bond(0.03, 0.11), answer({0.11, 0.03, 0, 0}).longest_bond_A, 1e-9);
   EXPECT_TRUE(found.within(0.05, -0.02));
@@ -98,14 +141,14 @@ TEST(Calibration, LongestBondFollowsFromTheStrain) {
 }
 
 TEST(Calibration, TellsWhereTheLawIsNotConvex) {
-  EXPECT_TRUE(calibrate(card(), answers()).convexity.convex());
+  EXPECT_TRUE(calibrate(card(), answers(), usual).convexity.convex());
   std::vector<atomistic::HomogeneousState> softened = answers();
   for (auto& s : softened) {
     const double I = s.strain.E11 + s.strain.E22;
     s.S11_eV_per_A2 -= 60 * I * I;
     s.S22_eV_per_A2 -= 60 * I * I;
   }
-  const Convexity convexity = calibrate(card(), softened).convexity;
+  const Convexity convexity = calibrate(card(), softened, usual).convexity;
   EXPECT_FALSE(convexity.convex());
   EXPECT_GT(convexity.E1 + convexity.E2, 0.05);
 }
@@ -113,13 +156,13 @@ TEST(Calibration, TellsWhereTheLawIsNotConvex) {
 TEST(Calibration, RefusesTooFewStates) {
   std::vector<atomistic::HomogeneousState> few = answers();
   for (std::size_t i = 16; i < few.size(); ++i) few[i].converged = false;
-  EXPECT_THROW(calibrate(card(), few), std::invalid_argument);
-  EXPECT_NO_THROW(calibrate(card(), answers(), 5));
+  EXPECT_THROW(calibrate(card(), few, usual), std::invalid_argument);
+  EXPECT_NO_THROW(calibrate(card(), answers(), usual, 5));
 }
 
 TEST(Calibration, EveryFormGivesThePolynomialSheet) {
   // An isotropic sheet of fourth degree: the table, the sixfold form and the polynomials from 5 on hold it exactly.
-  for (const LawVariant& form : law_variants(card(), answers())) {
+  for (const LawVariant& form : law_variants(card(), answers(), usual)) {
     EXPECT_LT(form.worst_misfit, 1e-6) << form.name;
     EXPECT_LT(form.force_difference, 1e-5) << form.name;
   }
@@ -133,7 +176,7 @@ TEST(Calibration, TheSixfoldFormFindsADirection) {
     s.S22_eV_per_A2 -= 45 * q * q * std::cos(turn);
     s.S12_eV_per_A2 += -45 * q * q * std::sin(turn);  // dW/dφ of the doubled angle over 2 q
   }
-  const membrane::CauchyBornSixfold law = calibrate_sixfold(card(), states);
+  const membrane::CauchyBornSixfold law = calibrate_sixfold(card(), states, usual);
   for (auto& s : states) {
     membrane::CauchyBornSixfold turned = law;
     turned.zigzag_rad = -s.strain.orientation_deg * std::numbers::pi / 180;
@@ -142,7 +185,7 @@ TEST(Calibration, TheSixfoldFormFindsADirection) {
     EXPECT_NEAR(force[1], s.S22_eV_per_A2, 1e-6);
     EXPECT_NEAR(force[2], s.S12_eV_per_A2, 1e-6);
   }
-  for (const LawVariant& form : law_variants(card(), states)) {
+  for (const LawVariant& form : law_variants(card(), states, usual)) {
     if (form.name != "sixfold") continue;
     EXPECT_LT(form.worst_misfit, 1e-6);
   }
