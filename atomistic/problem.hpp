@@ -111,9 +111,11 @@ struct Problem {
 
 /// Positions and forces are 3N vectors, atom by atom; free atoms first (see Sheet).
 struct Step {
-  int level = 0;  ///< counts the steps of the path; index into Problem::levels while loading
+  int level = 0;  ///< counts the steps of the path; index into Problem::levels while loading, up to a search
   bool unloading = false;
-  double target = 0;  ///< the level asked for: Å, eV/Å or eV/Å³
+  bool search = false;  ///< no level: a try between the last that was borne and the first that broke
+  bool broken = false;  ///< the sheet has come apart
+  double target = 0;    ///< the level asked for: Å, eV/Å or eV/Å³
   bool converged = false;
   double depth_A = 0;             ///< mean −z of the atoms at one bond from the axis (the central hexagon)
   double conjugate_depth_A = 0;   ///< of the load: mean −z of the loaded atoms, the sphere's travel, volume over area

@@ -15,9 +15,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Beyond this length no bundled carbon potential binds any more: AIREBO and REBO end at 2.0 Å.
-constexpr double ruptured_bond_A = 2.0;
-
 /// The sheet stiffens with its tension, ∝ depth²: a factor serves until the depth has changed by this ratio …
 constexpr double depth_ratio_per_factor = 1.3;
 
@@ -31,8 +28,15 @@ constexpr int evaluations_per_factor = 40;
 constexpr int evaluations_before_newton = 160;
 constexpr int evaluations_per_newton_factor = 200;
 
+constexpr const char* every_level = "every level reached";
+constexpr const char* into_the_switch = "the longest bond has reached the potential's cut-off switch";
+
 /// How much stiffer the contact is made to see what its softness does.
 constexpr double stiffer_contact = 4;
+
+bool controls_depth(const Problem& problem) {
+  return problem.control == Control::conjugate_depth && !std::holds_alternative<PressureLoad>(problem.load);
+}
 
 double mean_depth(const std::vector<int>& atoms, const VectorXd& x) {
   double sum = 0;
@@ -50,15 +54,16 @@ Path::Path(const Problem& problem, const Sheet& sheet, ForceField& forces, const
       load_(make_load(problem, sheet)),
       preconditioner_(sheet, spring_constants(problem.card)),
       reference_(sheet.positions),
-      positions_(sheet.positions) {
+      positions_(sheet.positions),
+      break_(problem.potential.artefact_bond_A, controls_depth(problem)) {
   if (!sheet.built_in_equilibrium()) relax_flat_sheet();
   flat_energy_ = force_field_.evaluate(reference_, atom_forces_, true);
 }
 
 Report Path::follow(const std::vector<Step>& finished) {
   take_over(finished);
-  report_.reason = "every level reached";
-  if (!finished.empty()) end_reached(finished.back());
+  report_.reason = every_level;
+  for (const Step& step : finished) end_reached(step);
   int number = static_cast<int>(finished.size());
   while (const auto target = next_target()) {
     const Step step = run_level(number++, *target);
@@ -108,14 +113,18 @@ void Path::relax_flat_sheet() {
 
 std::optional<Path::Target> Path::next_target() {
   const bool goes_on = report_.ended == Ended::depth_max;
+  if (report_.ended == Ended::rupture) {
+    const auto between = break_.next_level();
+    return between ? std::optional(Target{.level = *between, .search = true}) : std::nullopt;
+  }
   if (!unloading_from_) {
     if (goes_on && loaded_levels_ < static_cast<int>(problem_.levels.size()))
-      return Target{problem_.levels[loaded_levels_], false};
+      return Target{.level = problem_.levels[loaded_levels_]};
     if (!problem_.unload || loaded_levels_ < 2 || !(goes_on || report_.ended == Ended::artefact)) return std::nullopt;
     unloading_from_ = loaded_levels_ - 1;
   }
   if (*unloading_from_ == 0 || report_.ended == Ended::not_converged) return std::nullopt;
-  return Target{problem_.levels[*unloading_from_ - 1], true};
+  return Target{.level = problem_.levels[*unloading_from_ - 1], .unloading = true};
 }
 
 /// The state that an earlier run had after its last finished step.
@@ -133,17 +142,21 @@ void Path::take_over(const std::vector<Step>& finished) {
 /// What the next levels use: the state, and how well the factor has served.
 void Path::remember(const Step& step) {
   const double t = load_->parameter(step.target);
-  if (step.converged) {
+  const bool kept = step.converged && !step.broken;
+  if (!step.unloading) break_.take(step);
+  if (kept) {
     std::erase_if(states_, [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
     states_.push_back({t, (step.positions - reference_).head(free_dofs()), guide(step.target)});
   }
-  if (step.converged) curve_.emplace_back(step.depth_A, step.force_eV_per_A);
+  if (kept) curve_.emplace_back(step.depth_A, step.force_eV_per_A);
   if (states_.size() > 3) states_.erase(states_.begin());
   if (step.factorisations > 0) {
     first_evaluations_ = step.evaluations;
     factor_parameter_ = t;
   }
-  factor_is_tired_ = step.factorisations > 1 || step.evaluations > first_evaluations_ + tolerated_extra_evaluations;
+  factor_is_tired_ =
+      step.broken || step.factorisations > 1 || step.evaluations > first_evaluations_ + tolerated_extra_evaluations;
+  if (step.search) return;
   if (step.unloading)
     unloading_from_ = unloading_from_.value_or(loaded_levels_ - 1) - 1;
   else
@@ -210,8 +223,15 @@ bool Path::torn() const {
   return longest_bond(sheet_, positions_) > torn_bond_A || lowest < -torn_depth_of_radius * sheet_.radius_A;
 }
 
+/// A bond that is lost on the way does not come back where a search starts, close to its end, nor where a level drags
+/// on.
+bool Path::has_broken(const Target& target, int evaluations) const {
+  const bool hopeless = target.search || evaluations >= evaluations_before_newton;
+  return hopeless && !target.unloading && break_.lost(target.level, longest_bond(sheet_, positions_));
+}
+
 /// Minimises; a level that drags on gets fresh factors at its current positions.
-MinimiserReport Path::minimise_level(int number) {
+MinimiserReport Path::minimise_level(int number, const Target& target) {
   Minimisation problem = minimisation();
   MinimiserOptions options{.force_tolerance = tolerance()};
   MinimiserReport result;
@@ -222,7 +242,7 @@ MinimiserReport Path::minimise_level(int number) {
     VectorXd x = free_positions();
     const auto on_iteration = [&](int done, double max_force) {
       if (callbacks_.on_progress) callbacks_.on_progress({number, evaluations + done, max_force});
-      return !torn();
+      return !torn() && !has_broken(target, evaluations + done);
     };
     const bool drags_on = evaluations >= evaluations_before_newton;
     if (drags_on)
@@ -231,7 +251,7 @@ MinimiserReport Path::minimise_level(int number) {
     evaluations += result.evaluations;
     options.trust_radius = result.trust_radius;
     positions_.head(free_dofs()) = x;
-    if (result.converged || evaluations >= problem_.max_evaluations || torn()) break;
+    if (result.converged || evaluations >= problem_.max_evaluations || torn() || has_broken(target, evaluations)) break;
     factorise(positions_);
   }
   result.evaluations = evaluations;
@@ -242,12 +262,13 @@ Step Path::run_level(int number, const Target& target) {
   factorisations_ = 0;
   fresh_ = true;
   predict(number, target.level);
-  const MinimiserReport result = minimise_level(number);
+  const MinimiserReport result = minimise_level(number, target);
 
   const VectorXd x = free_positions();
   Step step;
   step.level = number;
   step.unloading = target.unloading;
+  step.search = target.search;
   step.target = target.level;
   step.converged = result.converged;
   step.positions = positions_;
@@ -262,9 +283,10 @@ Step Path::run_level(int number, const Target& target) {
   step.balance_relative = balance(result.multiplier);
   step.force_error_relative = std::abs(result.energy_residual / (step.force_eV_per_A * step.conjugate_depth_A));
   step.longest_bond_A = longest_bond(sheet_, positions_);
+  step.broken = !step.unloading && break_.broken(step);
   step.evaluations = result.evaluations;
   step.factorisations = factorisations_;
-  if (!result.converged) report_.reason = result.reason;
+  if (!result.converged && !step.search) report_.reason = result.reason;
   return step;
 }
 
@@ -283,15 +305,19 @@ double Path::balance(double multiplier) {
   return std::abs((carried - put_on) / put_on);
 }
 
-/// Rupture and artefact come first: a search that fails among them is no failure of the path.
+/// Rupture and artefact come first: a minimisation that fails among them is no failure of the path.
 void Path::end_reached(const Step& step) {
-  if (step.longest_bond_A >= ruptured_bond_A) {
+  if (step.search) {
+    if (!break_.refuted() || report_.ended != Ended::rupture) return;
+    report_.ended = problem_.past_artefact ? Ended::depth_max : Ended::artefact;
+    report_.reason = problem_.past_artefact ? every_level : into_the_switch;
+  } else if (step.broken || step.longest_bond_A >= ruptured_bond_A) {
     report_.ended = Ended::rupture;
     report_.reason = "a bond of the sheet has broken";
   } else if (step.longest_bond_A >= problem_.potential.artefact_bond_A &&
              !(step.converged && (problem_.past_artefact || step.unloading))) {
     report_.ended = Ended::artefact;
-    report_.reason = "the longest bond has reached the potential's cut-off switch";
+    report_.reason = into_the_switch;
   } else if (!step.converged) {
     report_.ended = Ended::not_converged;
   }
@@ -312,7 +338,7 @@ std::optional<ContactCheck> Path::check_contact() {
   positions_.head(free_dofs()) = x;
   factorise(positions_);
   fresh_ = true;
-  const MinimiserReport result = minimise_level(static_cast<int>(problem_.levels.size()));
+  const MinimiserReport result = minimise_level(static_cast<int>(problem_.levels.size()), {});
   if (!result.converged) return std::nullopt;
   check.force_change_relative = sphere->force(free_positions(), 0) / force - 1;
   check.depth_change_A = mean_depth(sheet_.record, free_positions()) - mean_depth(sheet_.record, before);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "atomistic/equilibrium/break_search.hpp"
 #include "atomistic/equilibrium/indentation.hpp"
 #include "atomistic/equilibrium/minimiser.hpp"
 #include "atomistic/equilibrium/preconditioner.hpp"
@@ -25,10 +26,11 @@ class Path {
   Report follow(const std::vector<Step>& finished);
 
  private:
-  /// Where the path goes next: up through the levels, then back if asked for.
+  /// Where the path goes next: up through the levels, then between the last two if the sheet broke, or back if asked
+  /// for.
   struct Target {
     double level;
-    bool unloading;
+    bool unloading = false, search = false;
   };
 
   int free_dofs() const { return 3 * sheet_.free_atoms; }
@@ -45,9 +47,10 @@ class Path {
   void meet_constraint(double level);
   void hold_what_slides(Eigen::VectorXd& gradient) const;
   Minimisation minimisation();
-  MinimiserReport minimise_level(int number);
+  MinimiserReport minimise_level(int number, const Target& target);
   Step run_level(int number, const Target& target);
   bool torn() const;
+  bool has_broken(const Target& target, int evaluations) const;
   double balance(double multiplier);
   void end_reached(const Step& step);
   std::optional<ContactCheck> check_contact();
@@ -61,6 +64,7 @@ class Path {
   Eigen::VectorXd reference_;  ///< the flat sheet in equilibrium
   Eigen::VectorXd positions_, atom_forces_, factorised_at_;
   std::vector<PathState> states_;
+  BreakSearch break_;
   std::vector<std::pair<double, double>> curve_;  ///< (depth, force) of the same states
   double flat_energy_ = 0;
   int loaded_levels_ = 0;              ///< reached while loading

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 /// The fixed part of the file; the vectors follow as doubles. `magic` names the layout and its version.
 struct Header {
-  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '3'};
-  std::int64_t level, unloading, converged, evaluations, factorisations;
+  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '4'};
+  std::int64_t level, unloading, search, broken, converged, evaluations, factorisations;
   double target, depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
   std::int64_t positions, forces, factorised_at, virials;  ///< lengths
 };
@@ -28,6 +28,8 @@ Header header_of(const Step& s) {
   std::memcpy(h.magic, Header{}.magic, sizeof h.magic);
   h.level = s.level;
   h.unloading = s.unloading;
+  h.search = s.search;
+  h.broken = s.broken;
   h.target = s.target;
   h.converged = s.converged;
   h.evaluations = s.evaluations;
@@ -51,6 +53,8 @@ Step step_of(const Header& h) {
   Step s;
   s.level = static_cast<int>(h.level);
   s.unloading = h.unloading != 0;
+  s.search = h.search != 0;
+  s.broken = h.broken != 0;
   s.target = h.target;
   s.converged = h.converged != 0;
   s.evaluations = static_cast<int>(h.evaluations);
@@ -138,7 +142,7 @@ std::optional<Step> read_deepest_step(const fs::path& folder) {
   int level = 0;
   while (fs::exists(folder / step_file_name(level))) ++level;
   while (level-- > 0)
-    if (Step step = read_step(folder / step_file_name(level)); !step.unloading) return step;
+    if (Step step = read_step(folder / step_file_name(level)); !step.unloading && !step.search) return step;
   return std::nullopt;
 }
 

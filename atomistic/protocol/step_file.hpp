@@ -22,7 +22,7 @@ Step read_step(const std::filesystem::path& file);
 /// The levels 0, 1, 2, … that the folder holds without a gap.
 std::vector<Step> read_finished_steps(const std::filesystem::path& folder);
 
-/// The last of them on the way there, if there is any.
+/// The last of them on the way there, if there is any, without the search for a break.
 std::optional<Step> read_deepest_step(const std::filesystem::path& folder);
 
 }  // namespace atomistic

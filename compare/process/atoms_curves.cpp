@@ -57,10 +57,14 @@ struct Listener {
     const atomistic::Step step = atomistic::read_step(steps_folder(work, path) / e.file);
     constexpr double near_artefact_A = 0.02;
     const bool near = step.longest_bond_A >= path.problem.potential.artefact_bond_A - near_artefact_A;
-    progress.say(fmt::format(
-        "atoms {:5} {:2}/{}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}{}",
-        path.name, e.level + 1, path.problem.levels.size(), step.depth_A, step.force_eV_per_A, step.evaluations,
-        step.longest_bond_A, near ? "  (near the artefact zone)" : "", step.converged ? "" : "  not converged"));
+    const std::string place = step.search ? "break" : fmt::format("{:2}/{}", e.level + 1, path.problem.levels.size());
+    progress.say(
+        fmt::format("atoms {:5} {}  depth {:7.3f} Å  force {:10.5f} eV/Å  {:3} evaluations  longest bond {:.3f} Å{}{}",
+                    path.name, place, step.depth_A, step.force_eV_per_A, step.evaluations, step.longest_bond_A,
+                    near && !step.broken ? "  (near the artefact zone)" : "",
+                    step.broken      ? "  broken"
+                    : step.converged ? ""
+                                     : "  not converged"));
   }
   template <class Other>
   void operator()(const Other&) const {}

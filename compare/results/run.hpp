@@ -71,12 +71,36 @@ void describe(SameStruct<CrossSection> auto& section, auto&& visit) {
   visit(Column{"z", unit::length, "height there; the load presses down"}, section.z_A);
 }
 
+/// Where a sheet of atoms broke: at a force of the bracket, which is that of the deepest state it bore and what the
+/// force can have grown to, along its slope, at the next depth, where it was broken.
+struct Breaking {
+  double force_eV_per_A = not_known;                            ///< the largest that was borne
+  double depth_A = not_known;                                   ///< depth of record of the deepest state that was borne
+  std::array<double, 2> bracket{not_known, not_known};          ///< forces, eV/Å
+  std::array<double, 2> depth_bracket_A{not_known, not_known};  ///< depths of record
+  bool past_artefact = false;                                   ///< in the artefact zone: the force is the cut-off's
+  std::optional<double> sheet_force_eV_per_A, sheet_depth_A;    ///< where the calibrated sheet tears
+};
+
+void describe(SameStruct<Breaking> auto& breaking, auto&& visit) {
+  visit(Field{"force", unit::force, "largest force that was borne"}, breaking.force_eV_per_A);
+  visit(Field{"depth", unit::length, "depth of record of the deepest state that was borne"}, breaking.depth_A);
+  visit(Field{"bracket", unit::none, "forces that the breaking force lies between, eV/Å"}, breaking.bracket);
+  visit(Field{"depth_bracket", unit::length, "depths of record that the break lies between"}, breaking.depth_bracket_A);
+  visit(Field{"past_artefact", unit::none, "whether it broke in the artefact zone, where forces are the cut-off's"},
+        breaking.past_artefact);
+  visit(Field{"sheet_force", unit::force, "at which the calibrated sheet tears; not known where its law ends before"},
+        breaking.sheet_force_eV_per_A);
+  visit(Field{"sheet_depth", unit::length, "depth of record at which it does"}, breaking.sheet_depth_A);
+}
+
 /// What a curve of atoms has beside the columns of every curve.
 struct AtomsPart {
   std::vector<double> max_force_eV_per_A, balance_relative, force_error_relative;
   std::vector<bool> artefact;
   std::vector<int> force_evaluations, factorisations;
   std::optional<ContactSensitivity> contact;  ///< for a sphere
+  std::optional<Breaking> breaking;           ///< where the path broke
 };
 
 void describe(SameStruct<AtomsPart> auto& part, auto&& visit) {
@@ -89,6 +113,7 @@ void describe(SameStruct<AtomsPart> auto& part, auto&& visit) {
   visit(Column{"force_evaluations", unit::none, "LAMMPS force computations for this depth"}, part.force_evaluations);
   visit(Column{"factorisations", unit::none, "preconditioner factorisations for this depth"}, part.factorisations);
   visit(Field{"contact", unit::none, "what a stiffer contact changes; spheres only"}.where_known(), part.contact);
+  visit(Field{"breaking", unit::none, "where the atoms broke"}.where_known(), part.breaking);
 }
 
 /// What a continuum's curve has beside the columns of every curve.

@@ -66,6 +66,7 @@ struct Agreement {
   std::string dominant;             ///< the source that makes most of it
   Outcome outcome = Outcome::disagree;
   std::vector<JudgedRatio> ratios;
+  std::optional<Breaking> breaking;  ///< of the load judged
 };
 
 void describe(SameStruct<Agreement> auto& agreement, auto&& visit) {
@@ -83,6 +84,8 @@ void describe(SameStruct<Agreement> auto& agreement, auto&& visit) {
         agreement.expanded_uncertainty);
   visit(Field{"dominant", unit::none, "the source that makes most of it"}.where_known(), agreement.dominant);
   visit(Field{"ratios", unit::none, "one entry per depth judged"}, agreement.ratios);
+  visit(Field{"breaking", unit::none, "where the atoms broke, and the sheet beside them"}.where_known(),
+        agreement.breaking);
 }
 
 /// What parts a sheet of atoms from the like-for-like membrane at the same depth: nothing (membrane), the largest of

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "compare/process/atoms_curves.hpp"
+#include "compare/study/breaking.hpp"
 #include "compare/study/cross_section.hpp"
 #include "compare/study/curves.hpp"
 
@@ -19,8 +20,12 @@ void add(Timing& timing, const atomistic::Report& report) {
 
 /// The run of a curve is rebuilt from its step files: what a kill or an error leaves is never more than they hold.
 void collect(AtomisticExperiment& e, const AtomsCurve& curve, const atomistic::Sheet& sheet, StudyOutcome& outcome) {
-  for (const atomistic::Step& step : curve.steps)
-    if (!step.unloading) append(e.run, step, e.problem.potential.artefact_bond_A);
+  const double artefact_bond_A = e.problem.potential.artefact_bond_A;
+  // What broke may have turned out to be a long step into the switch.
+  const bool refuted = curve.report && curve.report->ended != atomistic::Ended::rupture;
+  for (const atomistic::Step* step : steps_of_curve(curve.steps))
+    append(e.run, *step, artefact_bond_A, step->broken && !refuted);
+  if (!refuted) e.run.atoms().breaking = breaking_of(curve.steps, artefact_bond_A);
   if (e.problem.unload) outcome.result.unloading.push_back(unloading_of(e.run, curve.steps));
   if (e.run.load == LoadKind::pressure && !curve.steps.empty())
     e.run.cross_section = cross_section(sheet, curve.steps.back().positions);

@@ -47,12 +47,12 @@ void append(Run& run, const membrane::Step& step, const std::optional<LongestBon
   if (longest_bond) run.longest_bond_A.push_back(longest(*longest_bond, step.on_meridian(), stretch));
 }
 
-void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
+void append(Run& run, const atomistic::Step& step, double artefact_from_A, bool broken) {
   run.depth_A.push_back(step.depth_A);
   run.conjugate_depth_A.push_back(step.conjugate_depth_A);
   run.force_eV_per_A.push_back(step.force_eV_per_A);
   run.energy_eV.push_back(step.energy_eV);
-  run.converged.push_back(step.converged);
+  run.converged.push_back(step.converged && !broken);
   run.longest_bond_A.push_back(step.longest_bond_A);
   if (run.load == LoadKind::pressure) {
     const double flat_area_A2 = step.force_eV_per_A / step.target;
@@ -62,7 +62,7 @@ void append(Run& run, const atomistic::Step& step, double artefact_from_A) {
   part.max_force_eV_per_A.push_back(step.max_force_eV_per_A);
   part.balance_relative.push_back(step.balance_relative);
   part.force_error_relative.push_back(step.force_error_relative);
-  part.artefact.push_back(step.longest_bond_A >= artefact_from_A);
+  part.artefact.push_back(!broken && step.longest_bond_A >= artefact_from_A);
   part.force_evaluations.push_back(step.evaluations);
   part.factorisations.push_back(step.factorisations);
 }

@@ -16,8 +16,9 @@ void append(Run& run, const membrane::Step& step);
 /// sheet's.
 void append(Run& run, const membrane::Step& step, const std::optional<LongestBond>& longest_bond, double stretch);
 
-/// `artefact_from_A` is the potential's own length from which forces are an artefact.
-void append(Run& run, const atomistic::Step& step, double artefact_from_A);
+/// `artefact_from_A` is the potential's own length from which forces are an artefact. A broken sheet counts as one that
+/// has not converged: nothing is to be read from it.
+void append(Run& run, const atomistic::Step& step, double artefact_from_A, bool broken);
 
 /// The way back, after `run` holds the way there. The lost work is integrated by the trapezoidal rule over both, which
 /// share their depths, so that the rule's error cancels; the depth common to both is the range.

@@ -7,6 +7,7 @@
 
 #include "compare/fitting/run_fit.hpp"
 #include "compare/results/sheet_columns.hpp"
+#include "compare/study/breaking.hpp"
 #include "compare/study/cross_section.hpp"
 #include "compare/study/uncertainty.hpp"
 #include "compare/verdict/agreement.hpp"
@@ -62,6 +63,7 @@ void judge_all(std::vector<PairedLoad>& loads, const std::map<LoadKind, Anisotro
   fit_runs(result, ladder);
   add_biases(result);
   judge(result);
+  compare_breaking(result);
   for (const PairedLoad& load : loads)
     if (load.load == result.resolved.judged_load) add_uncertainties(result, load);
   compare_curves(result);

@@ -7,6 +7,7 @@
 
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/texts/breaking_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
@@ -91,6 +92,7 @@ std::string explanation(const Result& result, LoadKind load) {
 std::string comparisons(const Result& result) {
   if (result.comparisons.empty()) return {};
   std::string text = "<h2>Where continuum and atoms part</h2>\n";
+  for (const std::string& one : breaking_sentences(result)) text += "<p>" + html::escaped(one) + "</p>\n";
   for (const Comparison& c : result.comparisons) {
     text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c));
     Rows rows;

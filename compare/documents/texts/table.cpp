@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "compare/base/errors.hpp"
+#include "compare/documents/texts/breaking_text.hpp"
 #include "compare/documents/texts/explanation_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
@@ -78,8 +79,8 @@ void add_notes(std::string& text, const Result& result, const Run& run) {
   }
   if (!fit) sentence(text, "{}: no fit: {}", name_of(run), run.fit_skipped);
   for (const std::string& skipped : run.models_skipped) sentence(text, "{}: not fitted: {}", name_of(run), skipped);
-  const bool law_left = run.constants == Constants::calibrated && run.ended != Ended::not_converged;  // what laws do
-  if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !law_left) {
+  const bool as_laws_do = run.ended == Ended::calibration_end;
+  if (!run.ended_reason.empty() && run.ended != Ended::depth_max && !as_laws_do) {
     sentence(text, "{}: path ended ({}): {}", name_of(run), to_string(run.ended), run.ended_reason);
   }
   if (!fit || (run.constants && run.constants != Constants::given)) return;
@@ -192,6 +193,7 @@ std::string table(const Result& result, bool colour) {
   add_fits(text, result, indented);
   text += explanation_text(result);
   add_regimes(text, result);
+  for (const std::string& one : breaking_sentences(result)) sentence(text, "{}", one);
   return text;
 }
 

@@ -1,10 +1,12 @@
 #include "atomistic/equilibrium/indentation.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
@@ -187,8 +189,64 @@ TEST(Indentation, TearingTheSheetIsRupture) {
   for (const Problem& problem : {p, pulled_off}) {
     const Path path = follow(problem);
     EXPECT_EQ(path.report.ended, Ended::rupture) << path.report.reason;
-    EXPECT_GE(path.steps.back().longest_bond_A, 2.0);
-    EXPECT_LT(path.steps.back().evaluations, 200);
+    const auto broken = std::ranges::find_if(path.steps, [](const Step& s) { return s.broken; });
+    ASSERT_NE(broken, path.steps.end());
+    EXPECT_GE(broken->longest_bond_A, 2.0);
+    EXPECT_LT(broken->evaluations, 200);
+  }
+}
+
+/// A potential with its switch moved out of the way of fracture, in a file of its own.
+Potential with_switch_at(const std::string& name, const std::string& length) {
+  Potential moved = potential(name);
+  std::ifstream in(moved.file);
+  const auto file = std::filesystem::temp_directory_path() / ("switch-" + std::to_string(getpid()) + "-" + name);
+  std::ofstream out(file);
+  for (std::string line; std::getline(in, line); out << line << '\n')
+    if (const auto at = line.find("1.7"); at != std::string::npos && line.find("rcmin_CC") != std::string::npos)
+      line.replace(at, 3, length);
+  moved.file = file.string();
+  moved.artefact_bond_A = std::stod(length);
+  return moved;
+}
+
+/// Where the path breaks its last step is halved until the force is known to 1 %; a search that is taken up again finds
+/// the same.
+TEST(Indentation, ABreakIsBracketedAndTheSearchCanBeResumed) {
+  Problem p = problem_of("rebo", 14, DiscLoad{5}, {2, 4, 5, 5.75, 6.5, 7.25, 8});
+  p.potential = with_switch_at("rebo", "1.92");
+  const Path whole = follow(p);
+  ASSERT_EQ(whole.report.ended, Ended::rupture) << whole.report.reason;
+  EXPECT_EQ(whole.report.reason, "a bond of the sheet has broken");
+  const auto first = std::ranges::find_if(whole.steps, [](const Step& s) { return s.broken; });
+  ASSERT_NE(first, whole.steps.end());
+  const auto tries = static_cast<std::size_t>(whole.steps.end() - first) - 1;
+  EXPECT_GE(tries, 2u);
+  EXPECT_LE(tries, 6u);
+  double borne = (first - 1)->target, broken = first->target, force = (first - 1)->force_eV_per_A;
+  int evaluations = 0;
+  for (auto step = first + 1; step != whole.steps.end(); ++step) {
+    EXPECT_TRUE(step->search);
+    EXPECT_NEAR(step->target, (borne + broken) / 2, 1e-12);
+    evaluations += step->evaluations;
+    if (!step->broken) {
+      EXPECT_TRUE(step->converged);
+      EXPECT_NEAR(step->force_eV_per_A / force, 1, 0.03) << "a depth that is borne lies on the curve";
+      force = step->force_eV_per_A;
+    }
+    (step->broken ? broken : borne) = step->target;
+  }
+  EXPECT_LT((broken - borne) / borne, 0.012);
+  EXPECT_LT(evaluations, 60 * static_cast<int>(tries));
+  for (std::size_t kept = static_cast<std::size_t>(first - whole.steps.begin()) + 1; kept < whole.steps.size();
+       ++kept) {
+    const Path rest = follow(p, {whole.steps.begin(), whole.steps.begin() + static_cast<long>(kept)});
+    EXPECT_EQ(rest.report.ended, Ended::rupture);
+    ASSERT_EQ(rest.steps.size(), whole.steps.size() - kept);
+    for (std::size_t i = 0; i < rest.steps.size(); ++i) {
+      EXPECT_EQ(rest.steps[i].evaluations, whole.steps[kept + i].evaluations);
+      EXPECT_NEAR(rest.steps[i].force_eV_per_A, whole.steps[kept + i].force_eV_per_A, 1e-8 * force);
+    }
   }
 }
 

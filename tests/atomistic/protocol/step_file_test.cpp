@@ -39,11 +39,14 @@ class StepFile : public testing::Test {
 TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
   Step before = step(3);
   before.unloading = true;
+  before.broken = true;
   before.virials = Eigen::VectorXd::Random(24);
   write_step(before, folder);
   const Step after = read_step(folder / step_file_name(3));
   EXPECT_EQ(after.level, 3);
   EXPECT_TRUE(after.unloading);
+  EXPECT_FALSE(after.search);
+  EXPECT_TRUE(after.broken);
   EXPECT_EQ(after.target, before.target);
   EXPECT_TRUE(after.converged);
   EXPECT_EQ(after.depth_A, before.depth_A);
@@ -66,6 +69,11 @@ TEST_F(StepFile, FinishedStepsEndAtTheFirstGap) {
   fs::remove(folder / step_file_name(3));
   EXPECT_EQ(read_finished_steps(folder).size(), 3u);
   EXPECT_EQ(read_deepest_step(folder)->level, 1) << "the way back is not the deepest";
+  Step search = step(3);
+  search.search = true;
+  write_step(search, folder);
+  EXPECT_TRUE(read_step(folder / step_file_name(3)).search);
+  EXPECT_EQ(read_deepest_step(folder)->level, 1) << "nor is a search";
   EXPECT_FALSE(read_deepest_step(folder / "nowhere"));
 }
 

@@ -81,7 +81,16 @@ Run atomistic_run(LoadKind load, double stiffness, double longest_bond_per_depth
     run.ended_reason = "longest bond 1.70 Å";
     break;
   }
-  if (load == LoadKind::sphere) part.contact = ContactSensitivity{0.0025, -0.02, 0.0009, 0.05};
+  if (load == LoadKind::sphere) {
+    part.contact = ContactSensitivity{0.0025, -0.02, 0.0009, 0.05};
+    part.breaking = Breaking{.force_eV_per_A = 86.1,
+                             .depth_A = 22,
+                             .bracket = {86.1, 86.9},
+                             .depth_bracket_A = {22, 22.2},
+                             .past_artefact = false,
+                             .sheet_force_eV_per_A = 83.4,
+                             .sheet_depth_A = std::nullopt};
+  }
   fit_run(run);
   return run;
 }

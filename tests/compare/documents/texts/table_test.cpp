@@ -78,6 +78,41 @@ TEST(Table, SaysWhatWasLeftOutAndHowAPathEnded) {
   EXPECT_NE(failed.find("No verdict: there is no"), std::string::npos);
 }
 
+TEST(Table, SaysWhereTheAtomsBreakAndWhereTheSheetTears) {
+  Result result = sample::full();
+  validate::Run& atoms =
+      *std::ranges::find_if(result.runs, [](const validate::Run& run) { return run.is_atomistic(); });
+  EXPECT_EQ(table(result).find("load: the atoms break"), std::string::npos);
+  atoms.atoms().breaking = Breaking{.force_eV_per_A = 80,
+                                    .depth_A = 10.1,
+                                    .bracket = {80, 80.6},
+                                    .depth_bracket_A = {10.1, 10.2},
+                                    .past_artefact = false,
+                                    .sheet_force_eV_per_A = 76,
+                                    .sheet_depth_A = 9.8};
+  std::string text = unbroken(table(result));
+  for (const char* part : {"the atoms break at 80.00 … 80.60 eV/Å, between 10.10 and 10.20 Å",
+                           "sheet tears at 76.00 eV/Å and 9.80 Å (0.950 of the force)."})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\nin " << text;
+  atoms.atoms().breaking->past_artefact = true;
+  text = unbroken(table(result));
+  EXPECT_NE(text.find("in the artefact zone: the force is the cut-off's"), std::string::npos) << text;
+  EXPECT_EQ(text.find("sheet tears at"), std::string::npos);
+}
+
+/// Leaving a law is what its curves do; tearing within it is news.
+TEST(Table, TellsASheetThatTearsFromALawThatEnds) {
+  Result result = sample::full();
+  validate::Run& sheet =
+      *std::ranges::find_if(result.runs, [](const validate::Run& run) { return run.model == Model::sheet; });
+  sheet.ended_reason = "as it ended";
+  sheet.ended = Ended::calibration_end;
+  EXPECT_NE(table(result).find("calibration_end\n"), std::string::npos);
+  EXPECT_EQ(table(result).find("as it ended"), std::string::npos);
+  sheet.ended = Ended::rupture;
+  EXPECT_NE(unbroken(table(result)).find("path ended (rupture): as it ended"), std::string::npos);
+}
+
 TEST(Table, StatesTheVerdictWithItsNumbers) {
   Result result = sample::full();
   ASSERT_TRUE(result.agreement);
