@@ -69,7 +69,8 @@ struct StressCurve {
   std::string direction;  ///< zigzag, armchair (uniaxial stress), equibiaxial
   double secant_2_eV_per_A2 = not_known, secant_5_eV_per_A2 = not_known, secant_10_eV_per_A2 = not_known;
   double strength_eV_per_A2 = not_known, strain_at_strength = not_known;
-  std::optional<double> artefact_strain;
+  bool strength_is_artefact = false;  ///< a bond is beyond the artefact length there: the cut-off's, not carbon's
+  std::optional<double> artefact_strain, largest_before_artefact_eV_per_A2;
   std::vector<double> strain, lateral_strain, stress_eV_per_A2, longest_bond_A;
 };
 
@@ -80,6 +81,14 @@ void describe(SameStruct<StressCurve> auto& curve, auto&& visit) {
   visit(Field{"secant_at_10_percent", unit::membrane_force, "stress over strain at 10 %"}, curve.secant_10_eV_per_A2);
   visit(Field{"strength", unit::membrane_force, "largest stress"}, curve.strength_eV_per_A2);
   visit(Field{"strain_at_strength", unit::none, "largest stable strain under held force"}, curve.strain_at_strength);
+  visit(Field{"strength_is_artefact", unit::none,
+              "the strength lies beyond the potential's artefact length: it is the cut-off's"},
+        curve.strength_is_artefact);
+  visit(
+      Field{
+          "largest_before_artefact", unit::membrane_force,
+          "largest stress before the artefact length, which the strength is not below; null where that is not reached"},
+      curve.largest_before_artefact_eV_per_A2);
   visit(Field{"artefact_strain", unit::none, "where the longest bond reaches the potential's artefact length"},
         curve.artefact_strain);
   visit(Column{"strain", unit::none, "nominal strain"}, curve.strain);

@@ -64,6 +64,15 @@ LawSummary summary_of(const CalibratedLaw& law, double bending_modulus_eV) {
   return summary;
 }
 
+/// Of the curve's points before the artefact length is reached: the first one beyond is the cut-off's already.
+std::optional<double> largest_before_artefact(const atomistic::StressCurve& c) {
+  if (!c.artefact_strain) return std::nullopt;
+  double largest = 0;
+  for (std::size_t k = 0; k < c.strain.size() && c.strain[k] < *c.artefact_strain; ++k)
+    largest = std::max(largest, c.stress_eV_per_A2[k]);
+  return largest;
+}
+
 StressCurve summary_of(const atomistic::StressCurve& c) {
   return {.direction = c.direction,
           .secant_2_eV_per_A2 = c.secant_2_eV_per_A2,
@@ -71,7 +80,9 @@ StressCurve summary_of(const atomistic::StressCurve& c) {
           .secant_10_eV_per_A2 = c.secant_10_eV_per_A2,
           .strength_eV_per_A2 = c.strength_eV_per_A2,
           .strain_at_strength = c.strain_at_strength,
+          .strength_is_artefact = c.artefact_strain && *c.artefact_strain < c.strain_at_strength,
           .artefact_strain = c.artefact_strain,
+          .largest_before_artefact_eV_per_A2 = largest_before_artefact(c),
           .strain = c.strain,
           .lateral_strain = c.lateral_strain,
           .stress_eV_per_A2 = c.stress_eV_per_A2,
