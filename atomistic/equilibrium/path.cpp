@@ -28,6 +28,9 @@ constexpr int evaluations_per_factor = 40;
 constexpr int evaluations_before_newton = 160;
 constexpr int evaluations_per_newton_factor = 200;
 
+/// A search's minimisation that has lost a bond after so many evaluations, more than what is borne takes, has broken.
+constexpr int evaluations_before_lost = 20;
+
 constexpr const char* every_level = "every level reached";
 constexpr const char* into_the_switch = "the longest bond has reached the potential's cut-off switch";
 
@@ -226,7 +229,7 @@ bool Path::torn() const {
 /// A bond that is lost on the way does not come back where a search starts, close to its end, nor where a level drags
 /// on.
 bool Path::has_broken(const Target& target, int evaluations) const {
-  const bool hopeless = target.search || evaluations >= evaluations_before_newton;
+  const bool hopeless = evaluations >= (target.search ? evaluations_before_lost : evaluations_before_newton);
   return hopeless && !target.unloading && break_.lost(target.level, longest_bond(sheet_, positions_));
 }
 
