@@ -87,11 +87,11 @@ std::vector<ContinuumExperiment*> in_order(std::vector<PairedLoad>& loads) {
 
 }  // namespace
 
-void solve(ContinuumExperiment& e, bool all_fields) {
+void solve(ContinuumExperiment& e, bool all_fields, bool to_the_end) {
   if (on_triangles(e))
     solve_triangles(e, all_fields);
   else
-    solve_on_meridian(e);
+    solve_on_meridian(e, to_the_end);
 }
 
 Continua::Continua(std::vector<PairedLoad>& loads, const CalibratedLaw* law, bool all_fields)

@@ -12,8 +12,9 @@
 namespace validate {
 
 /// Solves a curve as far as it goes, or until an interrupt. Of a sheet of triangles the fields of its last converged
-/// level are kept, or of every one; under a pressure of every one, and their extremes become columns.
-void solve(ContinuumExperiment& experiment, bool all_fields);
+/// level are kept, or of every one; under a pressure of every one, and their extremes become columns. `to_the_end`:
+/// look for the place where a calibrated sheet tears between the levels (meridian_curve.hpp).
+void solve(ContinuumExperiment& experiment, bool all_fields, bool to_the_end = true);
 
 class Continua {
  public:

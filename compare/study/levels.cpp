@@ -73,7 +73,7 @@ Levels window_ends(const Run& scout, double lo_A, double hi_A, double radius_A) 
 
 Run scouted(ContinuumExperiment scout, const Levels& levels) {
   set_levels(scout, levels);
-  solve(scout, false);
+  solve(scout, false, false);
   return std::move(scout.run);
 }
 

@@ -93,11 +93,11 @@ void say_how_it_ended(ContinuumExperiment& e, const Followed& followed) {
 
 }  // namespace
 
-void solve_on_meridian(ContinuumExperiment& e) {
+void solve_on_meridian(ContinuumExperiment& e, bool to_the_end) {
   const Run blank = e.run;
   Followed followed = follow(e, e.problem);
   const auto early = [&] { return !interrupted() && (!followed.report.converged || followed.left_the_law); };
-  if (e.longest_bond && early() && ends_within(e, followed)) {
+  if (to_the_end && e.longest_bond && early() && ends_within(e, followed)) {
     membrane::Problem finer = e.problem;
     finer.levels = finer_at_the_end(e.problem.levels, inside(e, followed));
     if (!finer.levels.empty()) {

@@ -10,7 +10,7 @@ namespace validate {
 ///   calibration_end  where that bond, or the last one that was found, is beyond what the law is calibrated to: what
 ///                    follows is the fit's;
 ///   rupture          where no equilibrium lies beyond, within the calibration, and a stiffness of the law is lost: the
-///                    sheet's own end, found to a sixteenth of a step between levels.
-void solve_on_meridian(ContinuumExperiment& experiment);
+///                    sheet's own end, found to a sixteenth of a step between levels if `to_the_end`.
+void solve_on_meridian(ContinuumExperiment& experiment, bool to_the_end = true);
 
 }  // namespace validate

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace validate;
 
@@ -77,6 +78,13 @@ TEST(MeridianCurve, TheSameSheetCalibratedLessFarEndsWithItsCalibration) {
   expect_equal_columns(run);
   EXPECT_GE(run.longest_bond_A.back(), 1.5);
   EXPECT_LT(run.depth_A.back(), torn.depth_A.back());
+}
+
+TEST(MeridianCurve, WithoutTheSearchItEndsAtTheLastLevelReached) {
+  ContinuumExperiment e = softening_sheet(1.9);
+  solve_on_meridian(e, false);
+  EXPECT_EQ(e.run.ended, Ended::rupture);
+  EXPECT_NEAR(e.run.conjugate_depth_A.back(), std::floor(solved(1.9).run.conjugate_depth_A.back()), 1e-9);
 }
 
 TEST(MeridianCurve, LevelsThatAreReachedAreAllThereIs) {
