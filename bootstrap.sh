@@ -28,6 +28,7 @@ libssl-dev
 libsuitesparse-dev
 libtomlplusplus-dev
 libvalijson-dev
+libzip-dev
 ninja-build
 nlohmann-json3-dev
 openmpi-bin
@@ -78,7 +79,7 @@ Install these by your system's own means, then run: cmake --preset release && cm
   a C++20 compiler (g++ 12 or later), CMake 3.25, Ninja, pkg-config
   LAMMPS as a shared library with MPI, packages MANYBODY and KSPACE, and its potential files
   Open MPI or another MPI with mpiexec
-  Eigen 3.4, SuiteSparse (CHOLMOD), OpenBLAS, GSL 2.7, HDF5 (C library)
+  Eigen 3.4, SuiteSparse (CHOLMOD), OpenBLAS, GSL 2.7, HDF5 (C library), libzip
   OpenSSL (libcrypto), CLI11, toml++ 3, fmt, spdlog, nlohmann-json; for the tests GoogleTest, valijson and h5py
   gnuplot with pngcairo and the DejaVu fonts
 TXT

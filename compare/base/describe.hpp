@@ -35,6 +35,12 @@ inline constexpr std::string_view newton_per_metre = "N/m";
 inline constexpr std::string_view second = "s";
 inline constexpr std::string_view nanometre = "nm";
 inline constexpr std::string_view nanonewton = "nN";
+inline constexpr std::string_view metre = "m";
+inline constexpr std::string_view metre_per_volt = "m/V";
+inline constexpr std::string_view metre_per_ampere = "m/A";
+inline constexpr std::string_view metre_per_second = "m/s";
+inline constexpr std::string_view volt = "V";
+inline constexpr std::string_view hertz = "Hz";
 }  // namespace unit
 
 /// Allowed values of a number. Written so that NaN never passes.

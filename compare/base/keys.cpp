@@ -9,7 +9,7 @@ namespace validate {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> suffixes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> suffixes = {{
     {unit::none, ""},
     {unit::length, "_A"},
     {unit::force, "_eV_per_A"},
@@ -21,6 +21,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 11> suffixes
     {unit::second, "_s"},
     {unit::nanometre, "_nm"},
     {unit::nanonewton, "_nN"},
+    {unit::metre, "_m"},
+    {unit::metre_per_volt, "_m_per_V"},
+    {unit::metre_per_ampere, "_m_per_A"},
+    {unit::metre_per_second, "_m_per_s"},
+    {unit::volt, "_V"},
+    {unit::hertz, "_Hz"},
 }};
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
 #include "compare/cli/bulge.hpp"
+#include "compare/cli/curve.hpp"
 #include "compare/cli/figure.hpp"
 #include "compare/cli/fit.hpp"
 #include "compare/cli/flags.hpp"
@@ -40,6 +41,7 @@ struct Command {
 // Every command of the program.
 constexpr std::array commands = {
     Command{"bulge", validate::add_bulge},
+    Command{"curve", validate::add_curve},
     Command{"figure", validate::add_figure},
     Command{"fit", validate::add_fit},
     Command{"indentation", validate::add_indentation},

@@ -15,6 +15,7 @@
 #include "compare/results/measured.hpp"
 #include "compare/results/provenance.hpp"
 #include "compare/results/published.hpp"
+#include "compare/results/recording.hpp"
 #include "compare/results/run.hpp"
 #include "compare/results/verdict.hpp"
 
@@ -23,7 +24,7 @@ namespace validate {
 /// Number of the documents' form, in every one of them.
 inline constexpr int document_schema = 2;
 
-enum class Command { indentation, bulge, fit, potential, figure, verify, batch, published };
+enum class Command { indentation, bulge, fit, potential, figure, verify, batch, published, curve };
 constexpr auto words(Command) {
   return std::array{Word{Command::indentation, "indentation"},
                     Word{Command::bulge, "bulge"},
@@ -32,7 +33,8 @@ constexpr auto words(Command) {
                     Word{Command::figure, "figure"},
                     Word{Command::verify, "verify"},
                     Word{Command::batch, "batch"},
-                    Word{Command::published, "published"}};
+                    Word{Command::published, "published"},
+                    Word{Command::curve, "curve"}};
 }
 
 /// The sheet of atoms.
@@ -110,6 +112,7 @@ struct Result {
   std::vector<VerificationRow> rows;  ///< verify
   std::vector<CaseOutcome> cases;     ///< batch
   std::vector<PublishedRow> beside;   ///< published
+  std::vector<Recording> recordings;  ///< curve
 
   Provenance provenance;
 
@@ -183,6 +186,9 @@ void describe(SameStruct<Result> auto& r, auto&& visit) {
       break;
     case Command::published:
       visit(Field{"rows", unit::none, "published numbers, ours beside them"}, r.beside);
+      break;
+    case Command::curve:
+      visit(Field{"curves", unit::none, "as the instruments recorded them"}, r.recordings);
       break;
   }
   visit(Field{"provenance", unit::none, "program, libraries and files behind the numbers"}, r.provenance);

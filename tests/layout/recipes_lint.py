@@ -35,13 +35,15 @@ must_stand_in("load", "membrane/loads/list.hpp", r"^struct (\w+) \{(?=(?:(?!^\};
 must_stand_in("command", "compare/cli/main.cpp", r"^void (add_\w+)\(CLI::App& app, int& exit_code\);", cli.glob("*.hpp"),
               r'Command\{{"\w+", validate::{}\}}')
 must_stand_in("figure", "compare/figures/list.cpp", r"^PaperFigure (\w+)\(const FigureContext&", (source / "compare/figures").glob("*.cpp"))
+must_stand_in("format", "compare/instruments/list.cpp", r"^extern const InstrumentFormat (\w+);",
+              (source / "compare/instruments").glob("*.hpp"), r"formats = \{{[^;]*\b{}\b")
 
 models = "compare/fitting/models"
 for header in {path.name for path in (source / models).glob("*.hpp")} - reached(models, "list.cpp", set()):
     faults.append(f"{models}/{header}: nothing that list.cpp lists uses this closed form")
 found["closed form"] = sorted(reached(models, "list.cpp", set()) - {"list.cpp", "list.hpp"})
 
-for recipe in ("law", "load", "command", "figure", "closed form"):
+for recipe in ("law", "load", "command", "figure", "format", "closed form"):
     if len(found.get(recipe, [])) < 2:
         faults.append(f"no {recipe} is found any more: this check looks for another form of it")
 print("\n".join(faults) or ", ".join(f"{len(names)} {recipe}s" for recipe, names in found.items()))

@@ -84,6 +84,25 @@ std::optional<Source> data_set_of(OpenFile& file, hid_t group, const std::string
   return source;
 }
 
+/// Names of a group that are no links to elsewhere; others' programs do not keep the order of creation.
+std::vector<std::string> hard_links(hid_t group) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t* info, void* list) -> herr_t {
+    if (info->type == H5L_TYPE_HARD) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  for (const H5_index_t order : {H5_INDEX_CRT_ORDER, H5_INDEX_NAME}) {
+    names.clear();
+    if (H5Literate(group, order, H5_ITER_INC, nullptr, add, &names) >= 0) return names;
+  }
+  cannot_read("a group's names");
+}
+
+H5I_type_t kind_of(hid_t group, const std::string& name) {
+  const Handle object(checked(H5Oopen(group, name.c_str(), H5P_DEFAULT), name), H5Oclose);
+  return H5Iget_type(object.get());
+}
+
 /// Enumerations (h5py's booleans) through the integers that they are kept as.
 std::vector<double> enumerators_of(const Source& source, hid_t type) {
   const Handle native(checked(H5Tget_native_type(type, H5T_DIR_ASCEND), source.name), H5Tclose);
@@ -184,15 +203,38 @@ NumberSet ReadGroup::number_set(const std::string& name) const {
   return set;
 }
 
-std::vector<std::string> ReadGroup::data_set_names() const {
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t* info, void* list) -> herr_t {
-    if (info->type == H5L_TYPE_HARD) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
-  };
-  if (H5Literate(group_.get(), H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, add, &names) < 0)
-    cannot_read("a group's names");
+std::vector<std::string> ReadGroup::data_set_names() const { return hard_links(group_.get()); }
+
+std::vector<std::string> ReadGroup::group_names() const {
+  std::vector<std::string> names = hard_links(group_.get());
+  std::erase_if(names, [this](const std::string& name) { return kind_of(group_.get(), name) != H5I_GROUP; });
   return names;
+}
+
+std::vector<std::string> ReadGroup::column_names() const {
+  std::vector<std::string> names = hard_links(group_.get());
+  std::erase_if(names, [this](const std::string& name) {
+    if (kind_of(group_.get(), name) != H5I_DATASET) return true;
+    const auto source = data_set_of(*file_, group_.get(), name);
+    const Handle extent = source->space(), type = source->type();
+    const H5T_class_t kind = H5Tget_class(type.get());
+    return H5Sget_simple_extent_ndims(extent.get()) != 1 ||
+           (kind != H5T_FLOAT && kind != H5T_INTEGER && kind != H5T_ENUM);
+  });
+  return names;
+}
+
+bool ReadGroup::is_number(const std::string& attribute) const {
+  const Source source = attribute_of(*file_, group_.get(), attribute);
+  const Handle type = source.type();
+  const H5T_class_t kind = H5Tget_class(type.get());
+  return source.size() == 1 && (kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_ENUM);
+}
+
+bool ReadGroup::is_text(const std::string& attribute) const {
+  const Source source = attribute_of(*file_, group_.get(), attribute);
+  const Handle type = source.type();
+  return H5Tget_class(type.get()) == H5T_STRING && H5Tis_variable_str(type.get()) > 0 && source.size() == 1;
 }
 
 std::vector<std::string> ReadGroup::attribute_names() const {
@@ -201,9 +243,11 @@ std::vector<std::string> ReadGroup::attribute_names() const {
     static_cast<std::vector<std::string>*>(list)->emplace_back(name);
     return 0;
   };
-  if (H5Aiterate2(group_.get(), H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, add, &names) < 0)
-    cannot_read("a group's attributes");
-  return names;
+  for (const H5_index_t order : {H5_INDEX_CRT_ORDER, H5_INDEX_NAME}) {
+    names.clear();
+    if (H5Aiterate2(group_.get(), order, H5_ITER_INC, nullptr, add, &names) >= 0) return names;
+  }
+  cannot_read("a group's attributes");
 }
 
 ReadGroup open_file(const std::filesystem::path& file, std::string_view label) {

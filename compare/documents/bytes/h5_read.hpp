@@ -47,7 +47,15 @@ class ReadGroup {
   std::vector<double> column(const std::string& name) const;
   std::vector<std::string> text_column(const std::string& name) const;
   NumberSet number_set(const std::string& name) const;
-  std::vector<std::string> data_set_names() const;
+  std::vector<std::string> data_set_names() const;  ///< and of groups
+
+  /// What is of one kind, in the order of creation where the file keeps it, else of the alphabet.
+  std::vector<std::string> group_names() const;
+  std::vector<std::string> column_names() const;  ///< data sets of one dimension
+
+  /// Whether an attribute is one number, or one text of variable length.
+  bool is_number(const std::string& attribute) const;
+  bool is_text(const std::string& attribute) const;
 
  private:
   std::shared_ptr<OpenFile> file_;  // stays open as long as one of its groups

@@ -17,6 +17,7 @@
 #include "compare/documents/plots/measured_curve_plot.hpp"
 #include "compare/documents/plots/pressed_atoms_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
+#include "compare/documents/plots/recording_plot.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/plots/stress_strain.hpp"
 #include "compare/documents/plots/window_scan.hpp"
@@ -124,6 +125,10 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
     case Command::fit:
       for (const FittedCurve& curve : result.curves)
         all.push_back({{.title = curve.file, .caption = curve.file}, measured_plot(curve)});
+      return all;
+    case Command::curve:
+      for (const Recording& curve : result.recordings)
+        all.push_back({{.title = curve.file, .caption = curve.file}, recording_plot(curve)});
       return all;
     case Command::potential:
       return {{{.title = "stress and strain", .caption = "Homogeneous strain at T = 0."}, stress_strain_plot(result)}};

@@ -16,7 +16,7 @@ nlohmann::ordered_json schema_of(Command command);
 std::string schema_text(Command command);
 
 /// A schema by the name of its file in inputs/ (NAME.schema.json): summary, fit, card, figure, verify, batch,
-/// published.
+/// published, curve.
 struct NamedSchema {
   std::string_view name;
   Command command;
@@ -24,6 +24,6 @@ struct NamedSchema {
 inline constexpr NamedSchema named_schemas[] = {{"summary", Command::indentation}, {"fit", Command::fit},
                                                 {"card", Command::potential},      {"figure", Command::figure},
                                                 {"verify", Command::verify},       {"batch", Command::batch},
-                                                {"published", Command::published}};
+                                                {"published", Command::published}, {"curve", Command::curve}};
 
 }  // namespace validate
