@@ -7,6 +7,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/instruments/assemble.hpp"
+#include "compare/instruments/text.hpp"
 
 namespace validate {
 namespace {
@@ -49,6 +50,26 @@ std::size_t turn_of(const std::vector<double>& x) {
   return back > share * farthest && turn >= few && x.size() - turn >= few ? turn : x.size();
 }
 
+/// In lower case with blanks: springConstant, spring_constant_N_per_m, k and InvOLS are names of the same two things.
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z' && !plain.empty() && plain.back() >= 'a' && plain.back() <= 'z') plain += ' ';
+    plain += c == '_' || c == '-' ? ' ' : c;
+  }
+  plain = lower_case(plain);
+  for (const std::string_view unit : {" n per m", " m per v", " m per a", " m per s", " hz", " s", " m"})
+    if (plain.ends_with(unit)) {
+      plain = plain.substr(0, plain.size() - unit.size());
+      break;
+    }
+  if (plain == "k" || plain == "cantilever k" || plain == "springconstant") return "spring constant";
+  if (plain == "inv ols" || plain == "invols" || plain == "deflection sensitivity") return "sensitivity";
+  if (plain == "xposition" || plain == "x position") return "position x";
+  if (plain == "yposition" || plain == "y position") return "position y";
+  return plain;
+}
+
 }  // namespace
 
 void set_metadata(RecordingMetadata& metadata, std::string_view name, double value) {
@@ -66,6 +87,17 @@ void set_metadata(RecordingMetadata& metadata, std::string_view name, const std:
   at_name(metadata, name, [&value](auto& member) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, std::string>) member = value;
   });
+}
+
+void set_metadata_from_text(RecordingMetadata& metadata, std::string_view name, std::string_view text) {
+  const std::string plain = plain_name(name);
+  const std::string_view content = trimmed(text);
+  const auto end = content.find_first_not_of("0123456789.+-eE");
+  const auto number = number_of(content.substr(0, end));
+  if (!number || (plain == "date" || plain == "time")) return set_metadata(metadata, plain, std::string(content));
+  const auto unit = end == std::string_view::npos ? std::nullopt : si_unit(content.substr(end));
+  if (end != std::string_view::npos && !unit) return;
+  set_metadata(metadata, plain, *number * (unit ? unit->factor : 1));
 }
 
 std::vector<RecordedSegment> numbered_segments(const std::vector<double>& numbers, const std::string& label) {

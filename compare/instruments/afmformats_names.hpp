@@ -13,6 +13,10 @@ namespace validate {
 void set_metadata(RecordingMetadata& metadata, std::string_view name, double value);
 void set_metadata(RecordingMetadata& metadata, std::string_view name, const std::string& value);
 
+/// The same from texts as remarks have them: "spring constant: 0.05 N/m", "springConstant: 0.05",
+/// "spring_constant_N_per_m: 0.05". A number with a unit is taken in SI, one without as it is.
+void set_metadata_from_text(RecordingMetadata& metadata, std::string_view name, std::string_view text);
+
 /// Segments from a column of their numbers: two are approach and retract, three have a pause between, four begin with
 /// one more. Throws Error (bad input), which `label` starts, for more.
 std::vector<RecordedSegment> numbered_segments(const std::vector<double>& numbers, const std::string& label);

@@ -7,4 +7,8 @@ namespace validate {
 
 extern const InstrumentFormat delimited_format;
 
+/// The one recording of a text with a table: what remarks say of it, columns by their headings. Throws Error (bad
+/// input).
+Recording read_delimited(const FileContent& file, std::string_view format);
+
 }  // namespace validate

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "compare/base/errors.hpp"
 #include "compare/instruments/bytes.hpp"

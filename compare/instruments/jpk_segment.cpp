@@ -1,5 +1,6 @@
 #include "compare/instruments/jpk_segment.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -12,15 +12,22 @@
 #include "compare/instruments/format.hpp"
 #include "compare/instruments/igor.hpp"
 #include "compare/instruments/jpk.hpp"
+#include "compare/instruments/jpk_text.hpp"
 #include "compare/instruments/map.hpp"
+#include "compare/instruments/nanoscope.hpp"
+#include "compare/instruments/nanoscope_text.hpp"
+#include "compare/instruments/nanosurf.hpp"
 #include "compare/instruments/ntmdt_text.hpp"
+#include "compare/instruments/own_curves.hpp"
 
 namespace validate {
 namespace {
 
 // What recognises less comes later.
-const std::array formats = {jpk_format,          igor_format,   columns_h5_format, afmformats_tab_format,
-                            afm_workshop_format, chiaro_format, ntmdt_text_format, delimited_format};
+const std::array formats = {jpk_format,      igor_format,           columns_h5_format,     nanoscope_format,
+                            nanosurf_format, afmformats_tab_format, own_curves_format,     afm_workshop_format,
+                            chiaro_format,   jpk_text_format,       nanoscope_text_format, ntmdt_text_format,
+                            delimited_format};
 
 std::string names() {
   std::string text;

@@ -15,11 +15,13 @@ struct TextLine {
 
 /// Lines ended by LF, CR LF or CR, without their ends. Views into the text.
 std::vector<TextLine> lines_of(std::string_view text);
+std::vector<TextLine> lines_of(std::string&& text) = delete;  // they would outlive it
 
 std::string_view trimmed(std::string_view text);  ///< without blanks, tabs, CR and quotes around it
 
 /// Cells between separators; a separator of ' ' is any run of blanks and tabs.
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
+std::vector<std::string_view> cells_of(std::string&& line, char separator) = delete;  // its cells would outlive it
 
 /// A number alone, with '.' (or `decimal`) and an optional '+' before it; nan and inf are numbers.
 std::optional<double> number_of(std::string_view text, char decimal = '.');

@@ -2,6 +2,7 @@
 // the zeros of the file.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -158,7 +159,8 @@ struct Recording {
   std::vector<RecordedSegment> segments;
   RecordedColumns columns;
   std::vector<OtherColumn> other_columns;
-  std::vector<std::string> notes;  ///< what was left out or put right
+  std::vector<std::string> notes;              ///< what was left out or put right
+  std::map<std::string, std::string> remarks;  ///< `key: value` lines of a text, keys in lower case; in no document
 
   /// Points of all segments together.
   int points() const {
