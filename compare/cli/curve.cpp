@@ -13,6 +13,7 @@
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/recording_text.hpp"
 #include "compare/instruments/format.hpp"
+#include "compare/instruments/si_quantity.hpp"
 #include "compare/instruments/text.hpp"
 #include "compare/process/document_folder.hpp"
 #include "compare/process/provenance.hpp"
@@ -26,20 +27,6 @@ struct CurveFlags {
   OutputOptions output;
   std::string json;
 };
-
-/// A number in the given SI unit, or with a unit that is a multiple of one of them.
-std::optional<double> quantity(const std::string& text, std::initializer_list<const char*> units, const char* flag) {
-  if (text.empty()) return std::nullopt;
-  const auto end = text.find_first_not_of("0123456789.+-eE");
-  const auto number = number_of(std::string_view(text).substr(0, end));
-  const auto unit = end == std::string::npos ? std::nullopt : si_unit(std::string_view(text).substr(end));
-  bool fits = end == std::string::npos;
-  for (const char* allowed : units) fits = fits || (unit && unit->unit == allowed);
-  if (!number || !fits || !(*number > 0))
-    throw bad_input("{}: '{}' is not a number > 0 in {}, such as \"{}\"", flag, printable(text),
-                    fmt::join(units, " or "), std::string_view(flag) == "--sensitivity" ? "60 nm/V" : "0.05 N/m");
-  return *number * (unit ? unit->factor : 1);
-}
 
 CurveDocuments documents_of(const std::string& list) {
   CurveDocuments which{false, false, false, false};
@@ -61,8 +48,8 @@ CurveDocuments documents_of(const std::string& list) {
 }
 
 int curve(const CurveFlags& flags) {
-  const Calibration calibration{quantity(flags.spring_constant, {"N/m"}, "--spring-constant"),
-                                quantity(flags.sensitivity, {"m/V", "m/A"}, "--sensitivity")};
+  const Calibration calibration{si_quantity(flags.spring_constant, {"N/m"}, "--spring-constant", "0.05 N/m"),
+                                si_quantity(flags.sensitivity, {"m/V", "m/A"}, "--sensitivity", "60 nm/V")};
   const CurveDocuments which = documents_of(flags.as);
   Result result;
   result.command = Command::curve;

@@ -19,6 +19,8 @@
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/measured_report.hpp"
 #include "compare/fitting/measured_fit.hpp"
+#include "compare/instruments/measured.hpp"
+#include "compare/instruments/si_quantity.hpp"
 #include "compare/potential/potential_card.hpp"
 #include "compare/process/document_folder.hpp"
 #include "compare/process/provenance.hpp"
@@ -36,7 +38,7 @@ struct FitFlags {
   std::string depth_column, force_column, sigma_column;
   std::string depth_min, depth_max, baseline, contact;
   std::string potential, third_order;
-  std::string sigma_force, sigma_depth, spring_constant, sensitivity_error;
+  std::string sigma_force, sigma_depth, spring_constant, sensitivity, sensitivity_error, segment = "approach";
   bool fit_force_zero = false, fit_slope = false;
   int bootstrap = 0;
   unsigned seed = 1;
@@ -145,6 +147,8 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
     const Uncertain k = with_unit(Field{"spring-constant", unit::membrane_force, "", positive()}, spring);
     o.spring_constant_eV_per_A2 = k.value;
     o.errors.force_scale_relative = k.error / k.value;
+  } else {
+    o.spring_constant_eV_per_A2 = curve.spring_constant_eV_per_A2;
   }
   if (!flags.sensitivity_error.empty())
     o.errors.sensitivity_relative = share(flags.sensitivity_error, "--sensitivity-error");
@@ -167,12 +171,27 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
   o.depth_min_A = known(depth_min, flags.depth_min);
   o.depth_max_A = known(depth_max, flags.depth_max);
   o.baseline_to_A = known(Field{"baseline", unit::length, "", any_number()}, flags.baseline);
-  o.free = {flags.contact == "fit", flags.contact == "fit" || flags.fit_force_zero, flags.fit_slope};
+  const bool contact = flags.contact == "fit" || (flags.contact.empty() && curve.zeros_unknown);
+  o.free = {contact, contact || flags.fit_force_zero, flags.fit_slope};
   if (!o.free.contact) o.contact_A = known(Field{"contact", unit::length, "", any_number()}, flags.contact).value_or(0);
   o.weighting = weighting(flags.weights);
   o.bootstrap_samples = flags.bootstrap;
   o.seed = flags.seed;
   return o;
+}
+
+/// What is read of the files. A spring constant makes forces of deflections where a file has none of its own.
+MeasuredRequest request_of(const FitFlags& flags) {
+  MeasuredRequest request{.columns = {flags.depth_column, flags.force_column, flags.sigma_column}};
+  const std::string segment = parse_text(with_words<SegmentKind>(Field{.name = "segment"}), flags.segment, "--segment");
+  request.segment = from_word<SegmentKind>(segment).value();
+  if (!flags.spring_constant.empty())
+    request.calibration.spring_constant_N_per_m =
+        N_per_m_per_eV_per_A2 * with_unit(Field{"spring-constant", unit::membrane_force, "", positive()},
+                                          {flags.spring_constant, "--spring-constant"})
+                                    .value;
+  request.calibration.sensitivity = si_quantity(flags.sensitivity, {"m/V", "m/A"}, "--sensitivity", "60 nm/V");
+  return request;
 }
 
 int fit(const FitFlags& flags) {
@@ -181,10 +200,13 @@ int fit(const FitFlags& flags) {
   result.command = Command::fit;
   result.provenance = provenance(command_line());
   const std::optional<PotentialCard> card = card_of(flags);
-  for (const std::string& file : flags.files) {  // everything is read and checked before anything is written
-    const MeasuredCurve curve = read_measured(file, {flags.depth_column, flags.force_column, flags.sigma_column});
-    result.curves.push_back(evaluate(curve, options_of(flags, curve, card)));
-  }
+  const MeasuredRequest request = request_of(flags);
+  for (const std::string& file : flags.files)  // everything is read and checked before anything is written
+    for (const MeasuredCurve& curve : read_measured(file, request)) {
+      FittedCurve fitted = evaluate(curve, options_of(flags, curve, card));
+      fitted.notes.insert(fitted.notes.begin(), curve.notes.begin(), curve.notes.end());
+      result.curves.push_back(std::move(fitted));
+    }
   if (flags.json != "-")
     for (const FittedCurve& curve : result.curves) fmt::print("{}\n", measured_text(curve));
   if (!flags.json.empty()) write_json(result, flags.json);
@@ -197,12 +219,14 @@ int fit(const FitFlags& flags) {
 }
 
 constexpr const char* fit_examples =
-    R"TXT(A file is a table with units in its header: depth_nm,force_nN or "depth (nm)", "force [nN]". Lines of the form
+    R"TXT(A file is an instrument's (validate curve --help lists the formats) or a table with units in its header:
+depth_nm,force_nN or "depth (nm)", "force [nN]". Lines of the form
 "# radius: 0.5 um" (also nu, tip, tip-radius) stand in for flags that are not given. validate model lists the models.
 
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit *.csv --radius "0.50 ± 0.01 um" --nu 0.165 --tip-radius "16.5 ± 2 nm" --contact fit --out fits
+  validate fit map.jpk-force-map --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit curve.csv --radius "0.5 um" --tip disc --tip-radius "16.5 nm" --potential lcbop
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
@@ -212,7 +236,9 @@ Examples:
 void add_fit(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("fit", "E·h and pretension of measured force-depth curves");
   const auto flags = std::make_shared<FitFlags>();
-  command->add_option("files", flags->files, "CSV files")->required()->type_name("FILE");
+  command->add_option("files", flags->files, "measured curves, of any format of validate curve")
+      ->required()
+      ->type_name("FILE");
   const auto text = [&](const char* name, std::string& value, const char* meaning, const char* type = "VALUE") {
     command->add_option(name, value, meaning)->type_name(type);
   };
@@ -236,6 +262,8 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--sigma-depth", flags->sigma_depth, "noise of the depths; default: estimated where there are 40 points");
   text("--spring-constant", flags->spring_constant,
        "of the cantilever, with its error: all forces are in proportion to it; turns heights into depths");
+  text("--sensitivity", flags->sensitivity, "of the deflection, where a file has it in V (m/V) or A (m/A)");
+  text("--segment", flags->segment, "which is fitted; approach, retract, pause; default approach", "NAME");
   text("--sensitivity-error", flags->sensitivity_error, "relative error of the deflection, 5 % say", "NUMBER");
   text("--depth-min", flags->depth_min, "smallest depth used");
   text("--depth-max", flags->depth_max, "largest depth used");

@@ -98,6 +98,7 @@ void set_metadata_from_text(RecordingMetadata& metadata, std::string_view name, 
   const auto unit = end == std::string_view::npos ? std::nullopt : si_unit(content.substr(end));
   if (end != std::string_view::npos && !unit) return;
   set_metadata(metadata, plain, *number * (unit ? unit->factor : 1));
+  set_metadata(metadata, plain, std::string(content));  // the digits of a version are no number's
 }
 
 std::vector<RecordedSegment> numbered_segments(const std::vector<double>& numbers, const std::string& label) {

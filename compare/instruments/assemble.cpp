@@ -78,6 +78,8 @@ void assemble(Recording& recording, std::vector<SegmentData> segments, std::stri
         throw bad_input("{}: segment {} has {} points in '{}' and {} elsewhere", file, recording.segments.size(),
                         column.values.size(), name, length);
       std::vector<double>& whole = column_of(recording, name, column.unit, file);
+      if (auto* place = place_of(recording.columns, name); place && (*place)->heading.empty())
+        (*place)->heading = column.heading;
       whole.resize(points, not_known);
       whole.insert(whole.end(), column.values.begin(), column.values.end());
     }

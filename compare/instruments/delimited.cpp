@@ -63,6 +63,8 @@ Recording read_delimited(const FileContent& file, std::string_view format) {
       recording.index = static_cast<int>(*number);
   if (table.headings.empty())
     recording.notes.push_back("the table has no header: its columns have no names and no units");
+  recording.headings = table.headings;
+  recording.header_line = table.header_line;
   place_headed(recording, headed(table), file.name);
   name_segments(recording);
   return recording;

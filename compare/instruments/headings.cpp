@@ -14,6 +14,7 @@ namespace validate {
 namespace {
 
 constexpr double m_per_A = 1e-10, N_per_nN = 1e-9;
+constexpr std::string_view no_unit_mark = " (no unit)";
 
 /// Names in lower case, letters and digits alone, and the column that they mean. An exact name goes before a beginning.
 struct Meaning {
@@ -137,10 +138,12 @@ std::pair<std::string, std::string> parted(const std::string& cell) {
 
 void put(SegmentData& into, const HeadedColumn& column, std::vector<double> values) {
   const Heading& heading = column.heading;
-  const bool placed = heading.unit && !heading.column.empty() && !into.columns.contains(heading.column);
-  RecordedColumn& place = into.columns[placed ? heading.column : heading.cell];
+  std::string name = kept_as(heading);
+  if (into.columns.contains(name)) name = heading.cell;
+  RecordedColumn& place = into.columns[name];
   if (!place.values.empty()) return;  // a heading that occurs twice: the first counts
   place.unit = heading.unit ? heading.unit->unit : "";
+  place.heading = heading.cell;
   for (double& value : values) value *= heading.unit ? heading.unit->factor : 1;
   place.values = std::move(values);
 }
@@ -190,6 +193,17 @@ Heading heading_of(std::string_view cell, std::string_view unit_apart) {
                                                                                   : true);
   if (!fits && !heading.column.empty()) heading.column.clear();
   return heading;
+}
+
+std::string kept_as(const Heading& heading) {
+  if (heading.unit && !heading.column.empty()) return heading.column;
+  RecordedColumns columns;
+  return place_of(columns, heading.cell) ? heading.cell + std::string(no_unit_mark) : heading.cell;
+}
+
+std::string_view without_mark(std::string_view name) {
+  if (name.ends_with(no_unit_mark)) name.remove_suffix(no_unit_mark.size());
+  return name;
 }
 
 void place_headed(Recording& recording, std::vector<HeadedColumn> columns, const std::string& label) {

@@ -23,6 +23,12 @@ struct Heading {
 /// unit given apart (of a row of units, or an attribute) goes before. In a column of lengths A is ångström.
 Heading heading_of(std::string_view cell, std::string_view unit_apart = {});
 
+/// Where a recording keeps a column: under its column's name, or under its own, which is marked where it would be taken
+/// for one of them.
+std::string kept_as(const Heading& heading);
+/// The file's name of what is kept so.
+std::string_view without_mark(std::string_view name);
+
 /// Values with their heading.
 struct HeadedColumn {
   Heading heading;

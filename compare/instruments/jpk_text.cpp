@@ -76,10 +76,10 @@ SegmentData segment_of(const Block& block, const std::string& file) {
   part.segment = {.kind = kind_of(block), .points = static_cast<int>(block.rows.size())};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const Heading heading = heading_of(columns[c], c < unit_texts.size() ? unit_texts[c] : std::string_view());
-    const bool placed = !heading.column.empty() && heading.unit && !part.columns.contains(heading.column);
     RecordedColumn column{heading.unit ? heading.unit->unit : "", std::move(values[c])};
     for (double& value : column.values) value *= heading.unit ? heading.unit->factor : 1;
-    part.columns.emplace(placed ? heading.column : heading.cell, std::move(column));
+    const std::string name = kept_as(heading);
+    part.columns.emplace(part.columns.contains(name) ? heading.cell : name, std::move(column));
   }
   return part;
 }

@@ -88,6 +88,15 @@ bool all_units(const std::vector<std::string_view>& cells) {
   return some;
 }
 
+/// A line of as many names as the first row has not got.
+void refuse_other_length(const TextTable& table, const std::vector<TextLine>& above, const TextLine& row,
+                         std::size_t columns, const std::string& label) {
+  if (!table.headings.empty() || table.separator == ' ' || above.empty() || is_comment(trimmed(above.back().text)))
+    return;
+  const std::size_t names = cells_of(above.back().text, table.separator).size();
+  if (names > 1) throw bad_input("{}:{}: {} cells where the header has {}", label, row.number, columns, names);
+}
+
 /// What stands above the rows: the lines from the last to the first that can name the columns.
 void read_header(TextTable& table, const std::vector<TextLine>& above, std::size_t columns) {
   const auto take = [&](const TextLine& line, std::string_view content) {
@@ -158,6 +167,7 @@ TextTable read_text_table(std::string_view utf8, const std::string& label) {
         table.columns.resize(length - 1);
         read_header(table, above, length - 1);
       }
+      refuse_other_length(table, above, line, length, label);
     }
     if (comment || table.columns.empty()) {
       remark(table, content);

@@ -44,6 +44,7 @@ void describe(SameStruct<RecordedSegment> auto& segment, auto&& visit) {
 struct RecordedColumn {
   std::string unit;
   std::vector<double> values;
+  std::string heading = {};  ///< of a table, as the file has it; in no document
 };
 
 void describe(SameStruct<RecordedColumn> auto& column, auto&& visit) {
@@ -161,6 +162,8 @@ struct Recording {
   std::vector<OtherColumn> other_columns;
   std::vector<std::string> notes;              ///< what was left out or put right
   std::map<std::string, std::string> remarks;  ///< `key: value` lines of a text, keys in lower case; in no document
+  std::vector<std::string> headings;           ///< of a table, in its order; in no document
+  int header_line = 0;                         ///< where they stand
 
   /// Points of all segments together.
   int points() const {

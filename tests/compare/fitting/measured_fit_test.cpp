@@ -1,5 +1,5 @@
 // Measured curves: what is read from a file, what is found in it, and what is said of it.
-#include "compare/input/measured_curve.hpp"
+#include "compare/fitting/measured_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/units.hpp"
 #include "compare/fitting/fit_warnings.hpp"
-#include "compare/fitting/measured_fit.hpp"
+#include "compare/instruments/measured.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace validate;
@@ -22,7 +22,7 @@ class Measured : public testing::Test {
  protected:
   MeasuredCurve read(const std::string& content, const ColumnChoice& choice = {}) const {
     write_to("curve.csv", content);
-    return read_measured(folder_ / "curve.csv", choice);
+    return read_measured(folder_ / "curve.csv", {.columns = choice}).at(0);
   }
   std::string refusal(const std::string& content, const ColumnChoice& choice = {}) const {
     try {
@@ -41,7 +41,9 @@ TEST_F(Measured, UnitsComeFromTheHeader) {
   for (const char* header : {"depth_nm,force_nN", "Depth (nm),Force (nN)", "indentation [nm], load [nN]",
                              "depth nm,force nN", "depth/nm,force/nN"}) {
     const MeasuredCurve curve = read(std::string(header) + "\n2.5,10\n+5e0,20.5\n");
-    EXPECT_EQ(curve.depth_A, (std::vector{25.0, 50.0})) << header;
+    ASSERT_EQ(curve.depth_A.size(), 2u) << header;
+    EXPECT_DOUBLE_EQ(curve.depth_A[0], 25) << header;
+    EXPECT_DOUBLE_EQ(curve.depth_A[1], 50) << header;
     EXPECT_NEAR(curve.force_eV_per_A[1], 20.5 / nN_per_eV_per_A, 1e-12) << header;
     EXPECT_TRUE(curve.sigma_eV_per_A.empty());
   }
@@ -50,19 +52,19 @@ TEST_F(Measured, UnitsComeFromTheHeader) {
 TEST_F(Measured, TheProgramsOwnCurvesCanBeRead) {
   const MeasuredCurve curve =
       read("# run.0.model: membrane\nrun,depth_A,conjugate_depth_A,force_eV_per_A\n0,2,1.9,0.5\n");
-  EXPECT_EQ(curve.depth_A, std::vector{2.0});
-  EXPECT_EQ(curve.force_eV_per_A, std::vector{0.5});
+  EXPECT_DOUBLE_EQ(curve.depth_A.at(0), 2);
+  EXPECT_DOUBLE_EQ(curve.force_eV_per_A.at(0), 0.5);
 }
 
 TEST_F(Measured, ColumnsCanBeChosenAndSeparatorsVary) {
   const std::string content = "# radius: 0.5 um\n\nz_um;x_nm;F_uN;sigma_nN\n1;2;3;4\n";
   const MeasuredCurve by_name = read(content, {"z_um", "F", ""}), by_number = read(content, {"1", "3", "4"});
-  EXPECT_EQ(by_name.depth_A, std::vector{1e4});
+  EXPECT_DOUBLE_EQ(by_name.depth_A.at(0), 1e4);
   EXPECT_NEAR(by_name.force_eV_per_A[0], 3000 / nN_per_eV_per_A, 1e-9);
   EXPECT_EQ(by_name.depth_A, by_number.depth_A);
   EXPECT_EQ(by_name.sigma_eV_per_A, by_number.sigma_eV_per_A);
   EXPECT_EQ(by_name.remarks.at("radius"), "0.5 um");
-  EXPECT_EQ(read("depth_nm\tforce_nN\n1\t2\n").depth_A, std::vector{10.0});
+  EXPECT_DOUBLE_EQ(read("depth_nm\tforce_nN\n1\t2\n").depth_A.at(0), 10);
 }
 
 TEST_F(Measured, WhatIsWrongIsNamedWithItsLine) {
@@ -72,17 +74,54 @@ TEST_F(Measured, WhatIsWrongIsNamedWithItsLine) {
     for (const char* word : words)
       EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
   };
-  expect("", {"empty", "depth_nm,force_nN"});
+  expect("", {"empty"});
   expect("depth,force_nN\n1,2\n", {":1:", "'depth' has no unit", "depth_nm"});
   expect("depth_kg,force_nN\n1,2\n", {"no unit that a length"});
   expect("breadth_nm,force_nN\n1,2\n", {"no column for depth", "breadth_nm", "--depth-column"});
   expect("depth_nm,force_nN\n1,2\n2,x\n", {":3:", "'x'", "force_nN"});
-  expect("depth_nm,force_nN\n1,nan\n", {":2:", "'nan'"});
   expect("depth_nm,force_nN\n1,2,3\n", {":2:", "3 cells", "2"});
   expect("depth_nm,force_nN\n1,2\n", {"--force-column", "forse_nN", "'force_nN'?"}, {"", "forse_nN", ""});
   expect("depth_nm,force_nN\n1,2\n", {"no column 3"}, {"", "3", ""});
   expect("depth_nm,force_nN,sigma_nN\n1,2,0\n", {"standard deviation"});
   EXPECT_THROW(read_measured(folder_ / "none.csv", {}), Error);
+}
+
+TEST_F(Measured, ARowThatIsNotFiniteIsSkippedWithANote) {
+  const MeasuredCurve curve = read("depth_nm,force_nN\n1,2\n2,nan\n3,6\n");
+  EXPECT_EQ(curve.depth_A.size(), 2u);
+  ASSERT_EQ(curve.notes.size(), 1u);
+  EXPECT_NE(curve.notes[0].find("1 rows"), std::string::npos) << curve.notes[0];
+}
+
+/// A sheet's cubic to 100 nm and back, with a little adhesion on the way back.
+std::string cycle(double force_sign) {
+  std::string text = "depth (nm),force (nN)\n";
+  for (int i = -20; i <= 100; ++i) text += fmt::format("{},{}\n", i, force_sign * (i > 0 ? 1e-3 * i * i * i : 0));
+  for (int i = 99; i >= -20; --i) text += fmt::format("{},{}\n", i, force_sign * (i > 0 ? 1e-3 * i * i * i - 20 : 0));
+  return text;
+}
+
+TEST_F(Measured, OfACycleInOneTableTheApproachIsTaken) {
+  const MeasuredCurve curve = read(cycle(1));
+  EXPECT_EQ(curve.depth_A.size(), 121u);
+  EXPECT_GE(*std::ranges::min_element(curve.force_eV_per_A), 0);
+}
+
+TEST_F(Measured, AForceOfTheOtherSignIsTurned) {
+  const MeasuredCurve curve = read(cycle(-1));
+  EXPECT_NEAR(*std::ranges::max_element(curve.force_eV_per_A), 1000 / nN_per_eV_per_A, 1e-9);
+  EXPECT_TRUE(
+      std::ranges::any_of(curve.notes, [](const std::string& note) { return note.find("sign") != std::string::npos; }));
+}
+
+TEST_F(Measured, HeightsGrowTowardsTheSampleWhateverTheirSign) {
+  for (const double sign : {1.0, -1.0}) {
+    std::string text = "height (nm),force (nN)\n";
+    for (int i = -40; i <= 60; ++i) text += fmt::format("{},{}\n", sign * i, i > 0 ? 0.5 * i : 0);
+    const MeasuredCurve curve = read(text);
+    EXPECT_TRUE(curve.depth_from_height);
+    EXPECT_NEAR(*std::ranges::max_element(curve.depth_A), 600, 1e-9) << sign;
+  }
 }
 
 MeasuredOptions drum(double tip_A = 165) {
