@@ -81,7 +81,6 @@ int main(int argc, char** argv) {
   signal(SIGPIPE, SIG_IGN);  // seen as a failed write instead,
   signal(SIGXFSZ, SIG_IGN);  // and so is a file above the limit
   MpiSession session(&argc, &argv);
-  use_one_math_thread();
   const int release = lammps_release();
   if (argc == 2 && std::string(argv[1]) == "--version") {
     if (session.rank() == 0) std::cout << release << std::endl;
@@ -92,6 +91,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
+    use_one_math_thread();
     const Job job = read_job(argv[1]);
     if (session.rank() == 0) tell(StartEvent{release, session.ranks()});
     std::visit(Worker{session, job.log_file}, job.work);

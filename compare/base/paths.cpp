@@ -1,6 +1,7 @@
 #include "compare/base/paths.hpp"
 
 #include <cstdlib>
+#include <system_error>
 
 #include "compare/base/errors.hpp"
 
@@ -8,10 +9,15 @@ namespace validate {
 
 namespace fs = std::filesystem;
 
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
 fs::path find_inputs(const fs::path& program_folder, std::string_view from_environment) {
-  const auto holds_inputs = [](const fs::path& folder) { return fs::is_directory(folder / "potentials"); };
+  const auto holds_inputs = [](const fs::path& folder) { return is_there(folder / "potentials" / ""); };
   if (!from_environment.empty()) {
     const fs::path folder(from_environment);
     if (holds_inputs(folder)) return fs::absolute(folder);
@@ -32,7 +38,7 @@ fs::path inputs_folder() {
 
 fs::path atoms_program() {
   const fs::path program = program_folder() / "validate-atoms";
-  if (fs::is_regular_file(program)) return program;
+  if (is_there(program)) return program;
   throw Error(ExitCode::atomistic_failed,
               fmt::format("the atomistic program '{}' is missing; it belongs beside validate", program.string()));
 }

@@ -6,6 +6,10 @@
 
 namespace validate {
 
+/// Whether there is something of this name, for walks over places that others name: what cannot be looked at is not
+/// there.
+bool is_there(const std::filesystem::path& path);
+
 /// Folder of the running program, links resolved.
 std::filesystem::path program_folder();
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "compare/base/standard_streams.hpp"
+
 namespace validate {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -17,13 +19,12 @@ Progress::~Progress() { status(""); }
 void Progress::say(std::string_view line) {
   if (quiet_) return;
   status("");
-  fmt::print(stderr, "{:6.1f} s  {}\n", elapsed_s(), line);
+  print_remark(fmt::format("{:6.1f} s  {}\n", elapsed_s(), line));
 }
 
 void Progress::status(std::string_view line) {
   if (quiet_ || !terminal_ || (line.empty() && !shown_)) return;
-  fmt::print(stderr, "\r\033[K{}", line);
-  std::fflush(stderr);
+  print_remark(fmt::format("\r\033[K{}", line));
   shown_ = !line.empty();
 }
 

@@ -14,6 +14,7 @@
 #include "compare/base/field_value.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/fit_files.hpp"
 #include "compare/documents/texts/json.hpp"
@@ -207,14 +208,14 @@ int fit(const FitFlags& flags) {
       fitted.notes.insert(fitted.notes.begin(), curve.notes.begin(), curve.notes.end());
       result.curves.push_back(std::move(fitted));
     }
-  if (flags.json != "-")
-    for (const FittedCurve& curve : result.curves) fmt::print("{}\n", measured_text(curve));
-  if (!flags.json.empty()) write_json(result, flags.json);
   if (flags.output.out) {
     OutputFolder folder(*flags.output.out, flags.output.overwrite);
     write_fit_files(result, folder.drafts());
     folder.finish(0);
   }
+  if (!flags.json.empty()) write_json(result, flags.json);
+  if (flags.json != "-")
+    for (const FittedCurve& curve : result.curves) print_result(measured_text(curve) + "\n");
   return 0;
 }
 

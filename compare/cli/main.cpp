@@ -6,15 +6,20 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
+#include "compare/base/standard_streams.hpp"
+#include "compare/base/system_failure.hpp"
 #include "compare/cli/bulge.hpp"
 #include "compare/cli/curve.hpp"
 #include "compare/cli/figure.hpp"
@@ -54,7 +59,7 @@ constexpr std::array commands = {
 };
 
 int fail(ExitCode code, std::string_view message) {
-  fmt::print(stderr, "validate: error: {}\n", message);
+  validate::print_remark(fmt::format("validate: error: {}\n", message));
   return static_cast<int>(code);
 }
 
@@ -63,6 +68,7 @@ void set_up_log() {
   const char* no_color = std::getenv("NO_COLOR");
   const bool plain = no_color != nullptr && *no_color != '\0';
   auto log = spdlog::stderr_color_mt("validate", plain ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+  log->set_error_handler([](const std::string&) {});  // nobody misses what stderr could not take
   log->set_pattern("validate: %^%l%$: %v");
   spdlog::set_default_logger(log);
 }
@@ -111,7 +117,12 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) {
   } catch (const CLI::ExtrasError&) {
     return fail(ExitCode::bad_input, extras_message(app));
   } catch (const CLI::ParseError& problem) {
-    if (problem.get_exit_code() == 0) return app.exit(problem);  // --help and --version
+    if (problem.get_exit_code() == 0) {  // --help and --version
+      std::ostringstream asked_for;
+      app.exit(problem, asked_for, asked_for);
+      validate::print_result(asked_for.str());
+      return 0;
+    }
     return fail(ExitCode::bad_input, problem.what());
   }
 }
@@ -129,7 +140,7 @@ int run(int argc, char** argv) {
       "interrupted.");
   for (const Command& command : commands) command.add(app, exit_code);
   if (argc < 2) {
-    fmt::print(stderr, "{}", app.help());
+    validate::print_remark(app.help());
     return static_cast<int>(ExitCode::bad_input);
   }
   refuse_unknown_command(argv[1]);
@@ -140,10 +151,20 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    validate::prepare_streams();
     set_up_log();
-    return run(argc, argv);
+    const int exit_code = run(argc, argv);
+    validate::check_results_printed();
+    return exit_code;
   } catch (const validate::Error& error) {
     return fail(error.exit_code(), error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    const validate::Error known = validate::system_failure(error);
+    return fail(known.exit_code(), known.what());
+  } catch (const std::system_error& error) {  // no thread, no descriptor
+    return fail(ExitCode::file_failed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::file_failed, "there is not enough memory");
   } catch (const std::exception& error) {
     return fail(ExitCode::internal_error, fmt::format("internal error: {}", error.what()));
   }

@@ -8,6 +8,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/field_value.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/base/units.hpp"
 #include "compare/fitting/models/list.hpp"
 
@@ -50,11 +51,11 @@ void evaluate(const ClosedForm& form, const ModelFlags& flags) {
   const double parameters[] = {number("Eh", unit::membrane_force, positive(), flags.Eh),
                                number("pretension", unit::membrane_force, not_negative(), flags.pretension)};
   const AnyCurveModel model = form.make(geometry);
-  fmt::print("{}", form.pressure ? "depth_nm,pressure_MPa\n" : "depth_nm,force_nN\n");
+  print_result(form.pressure ? "depth_nm,pressure_MPa\n" : "depth_nm,force_nN\n");
   for (const double depth : depths_of(flags.depths)) {
     const double value = model.value(depth, parameters);
-    fmt::print("{:.6g},{:.6g}\n", depth / 10,
-               form.pressure ? 1e3 * GPa_per_eV_per_A3 * value : nN_per_eV_per_A * value);
+    print_result(fmt::format("{:.6g},{:.6g}\n", depth / 10,
+                             form.pressure ? 1e3 * GPa_per_eV_per_A3 * value : nN_per_eV_per_A * value));
   }
 }
 
@@ -81,14 +82,14 @@ void add_model(CLI::App& app, int& exit_code) {
     text("--depths", flags->depths, "depths separated by commas; prints a table");
     one->footer(description(form));
     one->callback([&form, flags, &exit_code] {
-      if (flags->depths.empty()) fmt::print("{}", description(form));
+      if (flags->depths.empty()) print_result(description(form));
       if (!flags->depths.empty()) evaluate(form, *flags);
       exit_code = 0;
     });
   }
   command->callback([command, &exit_code] {
     if (!command->get_subcommands().empty()) return;
-    for (const ClosedForm& form : closed_forms()) fmt::print("{}\n", description(form));
+    for (const ClosedForm& form : closed_forms()) print_result(description(form) + "\n");
     exit_code = 0;
   });
 }

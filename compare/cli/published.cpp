@@ -15,6 +15,7 @@
 #include "compare/base/nearest.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/published_table.hpp"
@@ -74,7 +75,7 @@ std::vector<PublishedRow> computed(const PublishedFlags& flags) {
 }
 
 void write_files(const PublishedFlags& flags, const Result& result, const std::string& json) {
-  if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
+  if (!flags.json.empty() && flags.json != "-") write_users_file(flags.json, json);
   if (!flags.output.out) return;
   OutputFolder folder(*flags.output.out, flags.output.overwrite);
   write_file(folder.drafts() / "published.csv", published_csv(result.beside));
@@ -90,7 +91,7 @@ int published_command(const PublishedFlags& flags) {
   result.provenance = provenance(command_line());
   const std::string json = json_text(result);
   write_files(flags, result, json);
-  fmt::print("{}", flags.json == "-" ? json : published_text(result.beside));
+  print_result(flags.json == "-" ? json : published_text(result.beside));
   return result.exit_code;
 }
 

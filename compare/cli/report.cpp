@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "compare/base/file.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/documents/bytes/run_h5_read.hpp"
 #include "compare/documents/texts/report_html.hpp"
 #include "compare/process/run_record.hpp"
@@ -22,10 +24,15 @@ int report(const ReportFlags& flags) {
   fs::path file = flags.run;
   if (fs::is_directory(file)) file /= "run.h5";
   const Result result = read_run_h5(file);
-  const fs::path target = flags.out.empty() ? file.parent_path() / "report.html" : fs::path(flags.out);
-  if (flags.out.empty()) add_to_record(target);  // a page that the user names is the user's
-  write_report(result, fs::absolute(file).parent_path(), fs::absolute(target));
-  fmt::print("{}\n", target.string());
+  const fs::path folder = fs::absolute(file).parent_path(), ours = file.parent_path() / "report.html";
+  if (flags.out.empty()) {
+    add_to_record(ours);
+    write_report(result, folder, fs::absolute(ours));
+  } else {  // a page that the user names is the user's
+    check_users_file(flags.out);
+    write_users_file(flags.out, report_page(result, folder));
+  }
+  print_result((flags.out.empty() ? ours.string() : flags.out) + "\n");
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/cli/atoms_options.hpp"
 #include "compare/cli/plan.hpp"
 #include "compare/documents/experiment_files.hpp"
@@ -48,18 +49,24 @@ std::optional<PotentialFile> prepared(const std::optional<PotentialFile>& potent
 }
 
 /// What one document fails at does not take the others away.
-void report(const StudyOutcome& outcome, const RunOptions& options, RunFolder& folder) {
-  const bool table_on_stdout = !options.json || *options.json != "-";
+void write_documents(const StudyOutcome& outcome, const RunOptions& options, RunFolder& folder) {
   std::exception_ptr failure;
   try {
     write_experiment(outcome, folder.work(), folder.drafts());
-    if (table_on_stdout && !outcome.result.runs.empty()) print_table(outcome.result, stdout);
-    if (options.json) write_json(outcome.result, options.json->string());
+    if (options.json && *options.json != "-") write_json(outcome.result, options.json->string());
   } catch (const std::exception&) {
     failure = std::current_exception();
   }
   folder.publish();
   if (failure) std::rethrow_exception(failure);
+}
+
+/// After everything that is to stay has been written.
+void print(const StudyOutcome& outcome, const RunOptions& options) {
+  if (options.json && *options.json == "-")
+    write_json(outcome.result, "-");
+  else if (!outcome.result.runs.empty())
+    print_table(outcome.result);
 }
 
 }  // namespace
@@ -70,7 +77,7 @@ int run_experiment(Command command, const Case& c, const RunOptions& options,
   AtomsLaunch launch{.cores = available_cores()};
   if (potential) launch = launch_of(options);
   if (options.dry_run) {
-    fmt::print("{}", plan_text(c, potential, launch));
+    print_result(plan_text(c, potential, launch));
     return 0;
   }
   catch_interrupts();
@@ -81,9 +88,10 @@ int run_experiment(Command command, const Case& c, const RunOptions& options,
     const auto used = prepared(potential, c, folder);
     const StudyOutcome outcome =
         run_study(command, c, used, {launch, options.ranks, folder.path(), options.all_fields}, progress);
-    report(outcome, options, folder);
+    write_documents(outcome, options, folder);
+    if (outcome.failure.empty()) folder.finish(static_cast<ExitCode>(outcome.result.exit_code));
+    print(outcome, options);
     if (!outcome.failure.empty()) throw Error(outcome.failure_code, outcome.failure);
-    folder.finish(static_cast<ExitCode>(outcome.result.exit_code));
     progress.say(fmt::format("wrote {}", folder.path().string()));
     return outcome.result.exit_code;
   } catch (const std::exception& error) {

@@ -8,6 +8,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/documents/texts/schema.hpp"
 
 namespace validate {
@@ -18,7 +19,7 @@ int schema(const std::string& name) {
   for (const NamedSchema& one : named_schemas) {
     names.push_back(one.name);
     if (one.name != name) continue;
-    fmt::print("{}", schema_text(one.command));
+    print_result(schema_text(one.command));
     return 0;
   }
   throw bad_input("schema: '{}' is none; allowed: {}{}", name, fmt::join(names, ", "), did_you_mean(name, names));

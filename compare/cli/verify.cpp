@@ -14,6 +14,7 @@
 #include "compare/base/nearest.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/verify_table.hpp"
@@ -123,7 +124,7 @@ std::vector<VerificationRow> rows_of(const std::vector<Group>& groups, Progress&
 }
 
 void write_files(const VerifyFlags& flags, const Result& result, const std::string& json) {
-  if (!flags.json.empty() && flags.json != "-") write_file(flags.json, json);
+  if (!flags.json.empty() && flags.json != "-") write_users_file(flags.json, json);
   if (!flags.output.out) return;
   OutputFolder folder(*flags.output.out, flags.output.overwrite);
   write_file(folder.drafts() / "verify.csv", verification_csv(result.rows));
@@ -139,7 +140,7 @@ int verify_command(const VerifyFlags& flags) {
   result.provenance = provenance(command_line());
   const std::string json = json_text(result);
   write_files(flags, result, json);
-  fmt::print("{}", flags.json == "-" ? json : verification_text(result.rows));
+  print_result(flags.json == "-" ? json : verification_text(result.rows));
   return result.exit_code;
 }
 

@@ -39,8 +39,7 @@ void write_field(h5::Group& panel, const TriangleMap& field) {
 }
 
 void write_h5(const PaperFigure& figure, const std::filesystem::path& target) {
-  PendingFile pending(target);
-  h5::File file(pending.path());
+  h5::File file;
   {
     h5::Group& root = file.root();
     root.attribute("schema", document_schema);
@@ -76,8 +75,7 @@ void write_h5(const PaperFigure& figure, const std::filesystem::path& target) {
       one.attribute("comment", n.comment);
     }
   }
-  file.close();
-  pending.commit();
+  write_file(target, file.image());
 }
 
 }  // namespace

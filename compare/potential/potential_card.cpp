@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "atomistic/protocol/json.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/read_file.hpp"
 #include "compare/base/sha256.hpp"
 #include "compare/base/temporary_folder.hpp"
 #include "compare/potential/law/states.hpp"
@@ -27,8 +27,7 @@ using nlohmann::json;
 constexpr int card_layout = 5;
 
 std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::path& file) {
-  std::ifstream in(file);
-  const json j = json::parse(in, nullptr, false);
+  const json j = json::parse(read_if_there(file).value_or(""), nullptr, false);
   if (!j.is_object()) return std::nullopt;
   try {
     return PotentialCard{.potential = potential,

@@ -9,6 +9,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/system_failure.hpp"
 #include "compare/process/run_folder.hpp"
 
 namespace validate {
@@ -18,9 +19,9 @@ namespace fs = std::filesystem;
 fs::path DocumentFolder::drafts() const {
   const fs::path folder = work() / "drafts";
   std::error_code error;
+  lock_->require_in_place();
   fs::create_directories(folder, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", folder.string(), error.message()));
+  if (error) throw system_failure(fmt::format("cannot create '{}'", folder.string()), error.value());
   return folder;
 }
 
@@ -47,8 +48,7 @@ OutputFolder::OutputFolder(const fs::path& out, bool overwrite) : DocumentFolder
   path_ = fs::absolute(out);
   std::error_code error;
   fs::create_directories(path_, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("--out: cannot create '{}': {}", path_.string(), error.message()));
+  if (error) throw system_failure(fmt::format("--out: cannot create '{}'", path_.string()), error.value());
   lock_.emplace(path_);
   if (is_resumable(path_))
     throw bad_input("--out: '{}' holds an unfinished run; choose another folder", path_.string());

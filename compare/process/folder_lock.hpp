@@ -14,7 +14,11 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// Throws Error (file failed) where the folder has been removed or renamed: what is there now may be another run's.
+  void require_in_place() const;
+
  private:
+  std::filesystem::path folder_;
   int descriptor_;
 };
 

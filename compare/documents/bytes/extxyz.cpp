@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include "compare/base/file.hpp"
+#include "compare/base/read_file.hpp"
 
 namespace validate {
 
@@ -57,7 +57,7 @@ std::string extxyz(const Snapshot& sheet) {
 void write_extxyz(const Snapshot& sheet, const std::filesystem::path& file) { write_file(file, extxyz(sheet)); }
 
 std::vector<AtomFromAbove> read_free_atoms(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  std::istringstream in(read_if_there(file).value_or(""));
   std::vector<AtomFromAbove> atoms;
   std::string line;
   std::getline(in, line);  // how many

@@ -84,10 +84,13 @@ Handle ordered_group_properties(hid_t property_class) {
   return properties;
 }
 
-Handle create_file(const std::filesystem::path& path) {
+Handle create_file() {
+  constexpr std::size_t grows_by_bytes = 1 << 20;
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown with a message, not printed
   const Handle properties = ordered_group_properties(H5P_FILE_CREATE);
-  return checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.get(), H5P_DEFAULT), H5Fclose, path.string());
+  const Handle in_memory = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "properties");
+  check(H5Pset_fapl_core(in_memory.get(), grows_by_bytes, false), "properties");
+  return checked(H5Fcreate("run.h5", H5F_ACC_TRUNC, properties.get(), in_memory.get()), H5Fclose, "file");
 }
 
 }  // namespace
@@ -143,13 +146,15 @@ Object Group::data_set(std::string_view name, std::span<const std::string> value
   return Object(write_data_set(handle_.get(), name, text_type().get(), texts.size(), texts.data()));
 }
 
-File::File(const std::filesystem::path& path)
-    : file_(create_file(path)), root_(checked(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "root group")) {}
+File::File() : file_(create_file()), root_(checked(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "root group")) {}
 
-void File::close() {
+std::string File::image() {
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "file");
-  root_ = Group(Handle{});
-  file_ = Handle{};
+  const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
+  if (size < 0) fail("file");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) != size) fail("file");
+  return bytes;
 }
 
 }  // namespace validate::h5

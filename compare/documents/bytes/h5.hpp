@@ -4,7 +4,6 @@
 
 #include <hdf5.h>
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -67,13 +66,14 @@ class Group : public Object {
   Object data_set(std::string_view name, std::span<const std::string> values);
 };
 
-/// A new file. close() reports what a destructor could not; every other object of the file must be gone by
-/// then.
+/// A new file, in memory alone: the library goes on with a file that it could not write as if it had, and ends the
+/// program with it.
 class File {
  public:
-  explicit File(const std::filesystem::path& path);
+  File();
   Group& root() { return root_; }
-  void close();
+  /// Its bytes; every other object of the file must be gone by then. Throws Error (file failed).
+  std::string image();
 
  private:
   Handle file_;

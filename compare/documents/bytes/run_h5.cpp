@@ -120,12 +120,10 @@ void write_group(h5::Group& parent, std::string_view name, const Struct& s) {
 }  // namespace
 
 void write_run_h5(const Result& result, const std::filesystem::path& target) {
-  PendingFile pending(target);
-  h5::File file(pending.path());
+  h5::File file;
   file.root().attribute("meaning", "the keys are those of the command's JSON document");
   describe_with_twins(result, AddTo(file.root()));
-  file.close();
-  pending.commit();
+  write_file(target, file.image());
 }
 
 }  // namespace validate

@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/keys.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/base/walk.hpp"
 
 namespace validate {
@@ -82,16 +82,18 @@ std::string json_text(const Result& result) {
 
 void check_json_target(const std::string& target) {
   if (target == "-") return;
-  if (std::filesystem::is_directory(target))
+  std::error_code error;
+  if (std::filesystem::is_directory(target, error))
     throw Error(ExitCode::file_failed, fmt::format("--json: cannot write '{}': it is a folder", target));
-  const PendingFile removed_again(target);
+  check_users_file(target);
 }
 
 void write_json(const Result& result, const std::string& target) {
   const std::string text = json_text(result);
-  if (target != "-") return write_file(target, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw Error(ExitCode::file_failed, "cannot write the JSON document to stdout");
+  if (target == "-")
+    print_result(text);
+  else
+    write_users_file(target, text);
 }
 
 }  // namespace validate

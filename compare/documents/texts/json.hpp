@@ -16,10 +16,10 @@ nlohmann::ordered_json document(const Case& resolved);
 /// replacement characters.
 std::string json_text(const Result& result);
 
-/// Refuses a `--json` target that could not be written, before anything is computed. Throws Error (file failed).
+/// Refuses a `--json` target that could not be written, before anything is computed: see check_users_file().
 void check_json_target(const std::string& target);
 
-/// Writes the document to a file, or to stdout for "-". Throws Error (file failed).
+/// Writes the document to the user's file, or to stdout for "-". Throws Error (file failed).
 void write_json(const Result& result, const std::string& target);
 
 }  // namespace validate

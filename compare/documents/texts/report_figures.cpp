@@ -1,14 +1,13 @@
 // What the page of a run shows, drawn.
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/read_file.hpp"
+#include "compare/base/temporary_folder.hpp"
 #include "compare/documents/bytes/extxyz.hpp"
 #include "compare/documents/plots/draw.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
@@ -25,28 +24,6 @@
 
 namespace validate {
 namespace {
-
-/// A folder for drawings that is removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "validate-report-XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw Error(ExitCode::file_failed,
-                  "cannot create a folder in " + std::filesystem::temp_directory_path().string());
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct Drawing {
   ReportFigure figure;  ///< its content is drawn
@@ -142,7 +119,7 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
 }
 
 std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::path& run_folder) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch("validate-report");
   std::vector<ReportFigure> figures;
   for (Drawing& drawing : drawings(result, run_folder)) {
     if (drawing.plot.panels.empty()) continue;
@@ -158,8 +135,12 @@ std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::
 
 }  // namespace
 
+std::string report_page(const Result& result, const std::filesystem::path& run_folder) {
+  return report_html(result, draw_all(result, run_folder));
+}
+
 void write_report(const Result& result, const std::filesystem::path& run_folder, const std::filesystem::path& target) {
-  write_file(target, report_html(result, draw_all(result, run_folder)));
+  write_file(target, report_page(result, run_folder));
 }
 
 }  // namespace validate

@@ -19,8 +19,11 @@ struct ReportFigure {
 /// convergence per depth, provenance, how to make it again.
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures);
 
-/// Draws the figures anew (in a folder of its own that is removed) and writes the page; the atoms come from the run's
-/// folder. Without gnuplot the page has no figures and says so. Throws Error (file failed).
+/// The page with its figures drawn anew (in a folder of its own that is removed); the atoms come from the run's folder.
+/// Without gnuplot the page has no figures and says so. Throws Error (file failed).
+std::string report_page(const Result& result, const std::filesystem::path& run_folder);
+
+/// Writes it under a name of the program's own. Throws Error (file failed).
 void write_report(const Result& result, const std::filesystem::path& run_folder, const std::filesystem::path& target);
 
 }  // namespace validate

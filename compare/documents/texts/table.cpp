@@ -13,6 +13,7 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/documents/texts/breaking_text.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/documents/texts/explanation_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
@@ -197,13 +198,9 @@ std::string table(const Result& result, bool colour) {
   return text;
 }
 
-void print_table(const Result& result, std::FILE* out) {
+void print_table(const Result& result) {
   const char* const no_color = std::getenv("NO_COLOR");
-  const bool colour = ::isatty(::fileno(out)) && (!no_color || !*no_color);
-  const std::string text = table(result, colour);
-  if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0) {
-    throw Error(ExitCode::file_failed, "cannot write the table to stdout");
-  }
+  print_result(table(result, ::isatty(STDOUT_FILENO) && (!no_color || !*no_color)));
 }
 
 }  // namespace validate

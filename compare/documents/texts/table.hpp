@@ -1,7 +1,6 @@
 // The table and the verdict on stdout.
 #pragma once
 
-#include <cstdio>
 #include <string>
 
 #include "compare/results/result.hpp"
@@ -12,7 +11,7 @@ namespace validate {
 /// beside them, quality of the fit, last force, how the path ended), notes, and the verdict in a sentence.
 std::string table(const Result& result, bool colour = false);
 
-/// Prints it; in colour on a terminal unless NO_COLOR is set. Throws Error (file failed) if that fails.
-void print_table(const Result& result, std::FILE* out);
+/// Prints it; in colour on a terminal unless NO_COLOR is set.
+void print_table(const Result& result);
 
 }  // namespace validate

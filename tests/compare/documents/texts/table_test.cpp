@@ -144,7 +144,7 @@ TEST(Table, IsPlainUnlessAskedAndNeverColouredInAFile) {
   EXPECT_EQ(table(result).find('\033'), std::string::npos);
   EXPECT_NE(table(result, true).find("\033["), std::string::npos);
   testing::internal::CaptureStdout();
-  print_table(result, stdout);
+  print_table(result);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), table(result));
 }
 
