@@ -52,4 +52,14 @@ Event event_from_line(const std::string& line) {
   }
 }
 
+std::optional<Event> event_in_line(const std::string& line) {
+  const std::size_t start = line.find('{'), end = line.rfind('}');
+  if (start == std::string::npos || end == std::string::npos || end < start) return std::nullopt;
+  try {
+    return event_from_line(line.substr(start, end - start + 1));
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace atomistic

@@ -1,6 +1,7 @@
 // What validate-atoms tells while it works: one JSON line per event on its standard output.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -62,5 +63,9 @@ std::string to_line(const Event& event);  ///< without the newline
 
 /// Throws std::runtime_error if the line is not an event.
 Event event_from_line(const std::string& line);
+
+/// The event in a line of which a launcher may have made something else: a word before it, or all of it. Nothing where
+/// there is none.
+std::optional<Event> event_in_line(const std::string& line);
 
 }  // namespace atomistic

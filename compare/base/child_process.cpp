@@ -1,6 +1,8 @@
 #include "compare/base/child_process.hpp"
 
 #include <fcntl.h>
+#include <linux/close_range.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -13,6 +15,9 @@
 #include <cstring>
 #include <thread>
 #include <utility>
+
+#include "compare/base/interrupt.hpp"
+#include "compare/base/system_failure.hpp"
 
 extern char** environ;
 
@@ -40,8 +45,7 @@ struct Pipe {
   int read = -1, write = -1;
   Pipe() {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0)
-      throw Error(ExitCode::internal_error, std::string("no pipe: ") + std::strerror(errno));
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw system_failure("no pipe", errno);
     read = ends[0];
     write = ends[1];
   }
@@ -49,15 +53,15 @@ struct Pipe {
 
 /// In the new process, between fork and exec: only calls that are safe there.
 [[noreturn]] void become(const char* program, char** arguments, char** variables, const char* folder, int error_file,
-                         int output, int report, pid_t parent) {
+                         int output, int report, pid_t parent, bool holds_locks) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // mpiexec takes its ranks along
   if (::getppid() != parent) ::_exit(127);
   const int nothing = ::open("/dev/null", O_RDONLY);
   const bool ready = nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 &&
                      ::dup2(error_file >= 0 ? error_file : output, 2) >= 0 && (*folder == 0 || ::chdir(folder) == 0);
-  ::signal(SIGINT, SIG_DFL);
-  ::signal(SIGTERM, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
+  if (!holds_locks) ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   if (ready) ::execve(program, arguments, variables);
   const int reason = errno;
   [[maybe_unused]] const auto written = ::write(report, &reason, sizeof reason);
@@ -68,8 +72,7 @@ struct Pipe {
 int opened_for_errors(const fs::path& file) {
   if (file.empty()) return -1;
   const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (opened < 0)
-    throw Error(ExitCode::file_failed, fmt::format("cannot write '{}': {}", file.string(), std::strerror(errno)));
+  if (opened < 0) throw system_failure(fmt::format("cannot write '{}'", file.string()), errno);
   return opened;
 }
 
@@ -108,7 +111,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   pid_ = ::fork();
   if (pid_ == 0)
     become(program->c_str(), argument_pointers.data(), variable_pointers.data(), command.folder.c_str(), error_file,
-           output.write, report.write, parent);
+           output.write, report.write, parent, command.holds_locks);
   if (error_file >= 0) ::close(error_file);
   ::close(output.write);
   ::close(report.write);
@@ -158,7 +161,14 @@ std::vector<std::string> ChildProcess::read_lines() {
 }
 
 std::string ChildProcess::read_to_end() {
-  while (output_ >= 0 && read_more()) {
+  while (output_ >= 0) {
+    pollfd readable{output_, POLLIN, 0};
+    const int ready = ::poll(&readable, 1, 1000);
+    if (interrupted()) {
+      stop();
+      throw Error(ExitCode::interrupted, "interrupted");
+    }
+    if (ready > 0) read_more();
   }
   return std::exchange(unread_, {});
 }

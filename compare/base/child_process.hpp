@@ -19,6 +19,7 @@ struct ChildCommand {
   std::filesystem::path standard_error = {};                          ///< file; empty: mixed into the standard output
   std::vector<std::pair<std::string, std::string>> environment = {};  ///< variables that the user has not set
   ExitCode if_not_started = ExitCode::atomistic_failed;               ///< of the error
+  bool holds_locks = true;  ///< keeps others out of this program's folders until it has ended
 };
 
 /// How a child ended.
@@ -44,7 +45,8 @@ class ChildProcess {
   /// Complete lines that have arrived; call when output() is readable. Closes output() at its end.
   std::vector<std::string> read_lines();
 
-  /// All that it writes until its end, an unfinished last line included.
+  /// All that it writes until its end, an unfinished last line included. Throws Error (interrupted) after stopping it
+  /// when a signal has come.
   std::string read_to_end();
 
   void ask_to_stop();

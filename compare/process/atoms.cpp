@@ -1,5 +1,6 @@
 #include "compare/process/atoms.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,10 +8,12 @@
 #include <cstring>
 #include <deque>
 #include <fstream>
+#include <memory>
 #include <optional>
 
 #include "compare/base/child_process.hpp"
 #include "compare/base/errors.hpp"
+#include "compare/base/temporary_folder.hpp"
 #include "compare/process/many_cases.hpp"
 #include "compare/process/side_by_side.hpp"
 
@@ -64,7 +67,9 @@ std::string last_command(const fs::path& log) {
 struct StartedJob {
   fs::path folder, log;
   bool ended_well = false;
-  std::string error;  ///< what the program itself said
+  std::string error;                                    ///< what the program itself said
+  std::deque<std::string> others;                       ///< the last lines that were no events
+  std::unique_ptr<const TemporaryFolder> session = {};  ///< of its MPI, while it runs
   atomistic::Fault fault = atomistic::Fault::program;
 
   std::string failure(const ChildEnd& end) const {
@@ -75,10 +80,18 @@ struct StartedJob {
     const std::string how = end.signal ? fmt::format("was ended by signal {} ({})", end.signal, strsignal(end.signal))
                                        : fmt::format("ended with status {}", end.exit_code);
     const std::string said = last_lines(folder / "stderr", 8);
-    const std::string command = last_command(log);
-    return fmt::format("the atomistic program {}, without an ERROR line in {}{}{}", how, log.string(),
+    const std::string command = last_command(log), output = fmt::format("{}", fmt::join(others, " | "));
+    return fmt::format("the atomistic program {}, without an ERROR line in {}{}{}{}", how, log.string(),
                        command.empty() ? "" : "; last command: " + command,
-                       said.empty() ? "" : "; its standard error ends: " + said);
+                       said.empty() ? "" : "; its standard error ends: " + said,
+                       output.empty() ? "" : "; its standard output ends: " + output);
+  }
+
+  /// A launcher, or what a system loads before it, may print lines of its own.
+  void note_other(const std::string& line) {
+    constexpr std::size_t most = 4;
+    others.push_back(line);
+    if (others.size() > most) others.pop_front();
   }
 
   void note(const atomistic::Event& event) {
@@ -87,7 +100,7 @@ struct StartedJob {
   }
 };
 
-ChildProcess start(const AtomsLaunch& launch, const AtomsJob& job, const fs::path& folder) {
+ChildProcess start(const AtomsLaunch& launch, const AtomsJob& job, const fs::path& folder, const fs::path& session) {
   const fs::path job_file = folder / "job.json";
   try {
     fs::create_directories(folder);
@@ -98,19 +111,18 @@ ChildProcess start(const AtomsLaunch& launch, const AtomsJob& job, const fs::pat
   return ChildProcess({.words = command_words(launch, job.ranks, job_file),
                        .folder = folder,
                        .standard_error = folder / "stderr",
-                       .environment = mpi_environment()});
+                       .environment = mpi_environment(session)});
 }
 
 }  // namespace
 
 int available_cores() { return static_cast<int>(usable_cores().size()); }
 
-std::vector<std::pair<std::string, std::string>> mpi_environment() {
-  std::vector<std::pair<std::string, std::string>> variables = {{"OMPI_MCA_rmaps_base_oversubscribe", "1"},
-                                                                {"OMPI_MCA_hwloc_base_binding_policy", "none"},
-                                                                {"OMPI_MCA_mpi_yield_when_idle", "1"},
-                                                                {"OMPI_MCA_ess_singleton_isolated", "1"},
-                                                                {"OMP_NUM_THREADS", "1"}};
+std::vector<std::pair<std::string, std::string>> mpi_environment(const fs::path& session) {
+  std::vector<std::pair<std::string, std::string>> variables = {
+      {"OMPI_MCA_rmaps_base_oversubscribe", "1"},      {"OMPI_MCA_hwloc_base_binding_policy", "none"},
+      {"OMPI_MCA_mpi_yield_when_idle", "1"},           {"OMPI_MCA_ess_singleton_isolated", "1"},
+      {"OMPI_MCA_orte_tmpdir_base", session.string()}, {"OMP_NUM_THREADS", "1"}};
   if (::geteuid() == 0) {
     variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");
     variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
@@ -130,15 +142,21 @@ std::vector<AtomsOutcome> run_jobs(const AtomsLaunch& launch, const std::vector<
     ranks.push_back(job.ranks);
   }
   run_side_by_side(ranks, launch.cores,
-                   {.start = [&](std::size_t i) { return start(launch, jobs[i], started[i].folder); },
+                   {.start =
+                        [&](std::size_t i) {
+                          started[i].session = std::make_unique<const TemporaryFolder>("validate-mpi");
+                          return start(launch, jobs[i], started[i].folder, started[i].session->path());
+                        },
                     .on_line =
                         [&](std::size_t i, const std::string& line) {
-                          const atomistic::Event event = atomistic::event_from_line(line);
-                          started[i].note(event);
-                          on_event(i, event);
+                          const auto event = atomistic::event_in_line(line);
+                          if (!event) return started[i].note_other(line);
+                          started[i].note(*event);
+                          on_event(i, *event);
                         },
                     .on_end =
                         [&](std::size_t i, const ChildEnd& end) {
+                          started[i].session.reset();
                           outcomes[i] = {.finished = end.good() && started[i].ended_well, .fault = started[i].fault};
                           if (!outcomes[i].finished) outcomes[i].failure = started[i].failure(end);
                         }});

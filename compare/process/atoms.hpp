@@ -37,8 +37,9 @@ int available_cores();
 
 /// What MPI and OpenMP are told unless the user has said otherwise: run as root in containers, share the cores with the
 /// membrane, do not bind side-by-side runs to the same core, leave the core to others while waiting, and start no
-/// daemon for a single rank (it would have to be in PATH).
-std::vector<std::pair<std::string, std::string>> mpi_environment();
+/// daemon for a single rank (it would have to be in PATH). What MPI keeps on the disk goes into `session`, a folder of
+/// this start alone: those that share one remove it under each other.
+std::vector<std::pair<std::string, std::string>> mpi_environment(const std::filesystem::path& session);
 
 /// Whether `mpiexec` can be found.
 bool has_mpiexec();

@@ -13,6 +13,7 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/child_process.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/base/temporary_folder.hpp"
 #include "compare/process/atoms.hpp"
 #include "git_revision.hpp"
 
@@ -34,10 +35,11 @@ std::string cholmod_library_version() {
 /// What `validate-atoms --version` says; the program may be missing.
 std::string lammps_in_use() {
   try {
+    const TemporaryFolder session("validate-mpi");
     ChildProcess child({.words = {atoms_program().string(), "--version"},
                         .folder = "/",
                         .standard_error = "/dev/null",
-                        .environment = mpi_environment()});
+                        .environment = mpi_environment(session.path())});
     const std::string text = child.read_to_end();
     if (child.wait().good()) return lammps_release(std::stoi(text));
   } catch (const std::exception& e) {

@@ -11,7 +11,10 @@ namespace validate {
 std::optional<GnuplotReport> run_gnuplot(const std::filesystem::path& script) {
   const auto program = find_program("gnuplot");
   if (!program) return std::nullopt;
-  ChildProcess child({.words = {program->string(), script.string()}, .if_not_started = ExitCode::file_failed});
+  // -d: what the user has set up for himself changes no figure.
+  ChildProcess child({.words = {program->string(), "-d", script.string()},
+                      .if_not_started = ExitCode::file_failed,
+                      .holds_locks = false});
   GnuplotReport report{.succeeded = false, .messages = child.read_to_end()};
   const ChildEnd end = child.wait();
   report.succeeded = end.good();

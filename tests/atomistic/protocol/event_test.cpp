@@ -34,6 +34,11 @@ TEST(Event, NumbersKeepAllDigits) {
 }
 
 TEST(Event, RefusesWhatIsNotAnEvent) {
+  EXPECT_FALSE(event_in_line("LAMMPS (29 Sep 2021)"));
+  EXPECT_FALSE(event_in_line("}{"));
+  EXPECT_FALSE(event_in_line(R"(module {"event":"party"})"));
+  EXPECT_EQ(std::get<StepEvent>(event_in_line("[1,0]<stdout>:" + to_line(StepEvent{3, "step-0003.bin"})).value()).level,
+            3);
   EXPECT_THROW(event_from_line("LAMMPS (29 Sep 2021)"), std::runtime_error);
   EXPECT_THROW(event_from_line(R"({"event":"party"})"), std::runtime_error);
   EXPECT_THROW(event_from_line(R"({"event":"step","level":1})"), std::runtime_error);

@@ -1,8 +1,10 @@
 #include "compare/base/child_process.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <thread>
@@ -109,6 +111,16 @@ TEST(ChildProcess, IsStoppedWithTheObject) {
       for (const std::string& line : child.read_lines()) id = std::stoi(line);
   }
   EXPECT_EQ(::kill(id, 0), -1);
+}
+
+/// Of three descriptors of this program the child has what it is given.
+TEST(ChildProcess, MayLetLocksGo) {
+  const int held = ::open("/", O_RDONLY | O_DIRECTORY);
+  ChildCommand command = shell("test -e /proc/self/fd/" + std::to_string(held));
+  EXPECT_EQ(ChildProcess(command).wait().exit_code, 0);
+  command.holds_locks = false;
+  EXPECT_EQ(ChildProcess(command).wait().exit_code, 1);
+  ::close(held);
 }
 
 }  // namespace

@@ -173,4 +173,15 @@ TEST(Draw, TheDataMayHaveANameOfTheirOwn) {
   EXPECT_EQ(folder.entries(), 3u);
 }
 
+TEST(Draw, WhatTheUserHasSetUpChangesNothing) {
+  const TemporaryFolder folder, home;
+  std::ofstream(home / ".gnuplot") << "set print '" << (home / "was-read").string() << "'\nprint 1\n";
+  const std::string before = std::getenv("HOME") ? std::getenv("HOME") : "";
+  ::setenv("HOME", home.path().c_str(), 1);
+  draw(force_depth_plot(sample::membrane_only()), folder.path(), "a", {PictureFormat::svg});
+  ::setenv("HOME", before.c_str(), 1);
+  EXPECT_FALSE(std::filesystem::exists(home / "was-read"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.svg"));
+}
+
 }  // namespace
