@@ -88,10 +88,20 @@ void check_whole(const Case& c, const Origins& origins) {
                     label_of(origins, "extent"));
 }
 
+/// A level that is reached already asks for nothing.
+void check_different(std::vector<double> levels, std::string_view name, std::string_view unit, const Origins& origins) {
+  constexpr double same = 1e-9;
+  std::sort(levels.begin(), levels.end());
+  const auto equal = [](double a, double b) { return b - a <= same * std::abs(b); };
+  if (const auto twice = std::adjacent_find(levels.begin(), levels.end(), equal); twice != levels.end())
+    throw bad_input("{}: {} {} is named twice", label_of(origins, name), *twice, unit);
+}
+
 void check_pressures(const Case& c, const Origins& origins) {
   if (!has_load(c, LoadKind::pressure)) return;
   if (c.pressures_eV_per_A3.empty())
     throw bad_input("{}: at least one pressure is needed", label_of(origins, "pressures"));
+  check_different(c.pressures_eV_per_A3, "pressures", "eV/Å³", origins);
   if (!c.potential.empty() && c.models != Models::membrane && !(c.radius_A <= largest_pressed_radius_A))
     throw bad_input("{}: {} Å is too large for a sheet of atoms; at most {} Å",
                     label_of(origins, c.size_A ? "size" : "radius"), 2 * c.radius_A, 2 * largest_pressed_radius_A);
@@ -175,6 +185,7 @@ void check_levels(const Case& c, const Origins& origins) {
     throw bad_input("{}: {} levels are too many; at most {}", label_of(origins, "forces"), c.forces_eV_per_A.size(),
                     most_levels);
   }
+  check_different(c.forces_eV_per_A, "forces", "eV/Å", origins);
   if (!c.forces_eV_per_A.empty()) return;
   const double depth_max = largest_depth_A(c);
   if (!(depth_max <= c.radius_A)) {

@@ -64,6 +64,8 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentation", "--depth-max", "1", "--depth-step", "2"}, {"--depth-step", "2 Å", "largest depth, 1 Å"}},
     {{"indentation", "--depth-step", "1e-6"}, {"--depth-step", "levels", "at most 10000"}},
     {{"indentation", "--forces", "1,-2"}, {"--forces: -2 eV/Å", "> 0 eV/Å"}},
+    {{"indentation", "--forces", "5,5,5"}, {"--forces: 5 eV/Å", "twice"}},
+    {{"bulge", "--pressures", "1e-3,2e-3,1e-3"}, {"--pressures: 0.001 eV/Å³", "twice"}},
     {{"indentation", "--pretension", "0.34 N"}, {"--pretension", "unknown unit 'N'", "N/m"}},
     {{"indentation", "--loads", "point,dics"}, {"--loads", "'dics'", "point, disc", "did you mean 'disc'?"}},
     {{"indentation", "--models", "atoms"}, {"--models", "'atoms'", "membrane, atomistic, both"}},
