@@ -47,7 +47,8 @@ ReadCase read(const ExperimentCommand& command, const CaseFlags& flags, const Ru
   prefer_potential(c, origins);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
   if (!has_given_constants(c)) {
-    result.potential = read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"));
+    result.potential = read_potential(c.potential, inputs_folder() / "potentials", label_of(origins, "potential"),
+                                      options.allow_code ? CodeInPotential::allowed : CodeInPotential::refused);
     for (const std::string& warning : result.potential->warnings) spdlog::warn("{}", warning);
     if (c.switch_length_A) check_switch(*result.potential, label_of(origins, "switch-length"));
   }

@@ -230,6 +230,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_switch("--quiet", options.quiet, "no progress on stderr");
   add_switch("--resume", options.resume, "continue an unfinished run in --out");
   add_switch("--overwrite", options.overwrite, "replace a finished run in --out");
+  add_switch("--allow-code", options.allow_code, "let a potential bring a program of its own (pair_style python)");
   add_switch("--all-fields", options.all_fields,
              "fields of the membranes (ParaView, run.h5) at every depth, not at the last only: 2 MB a depth and curve");
 }

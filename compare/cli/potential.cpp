@@ -11,6 +11,7 @@
 #include "compare/base/file.hpp"
 #include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
+#include "compare/base/standard_streams.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/card_files.hpp"
 #include "compare/documents/texts/json.hpp"
@@ -36,7 +37,7 @@ struct Options {
   std::string name, switch_length;
   OutputOptions output;
   std::optional<fs::path> json;
-  bool refresh = false;
+  bool refresh = false, allow_code = false;
 };
 
 double parsed_switch_length(const std::string& text) {
@@ -48,13 +49,9 @@ double parsed_switch_length(const std::string& text) {
   return length.value();
 }
 
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw Error(ExitCode::file_failed, "cannot write to stdout");
-}
-
 int potential(const Options& options) {
-  PotentialFile file = read_potential(options.name, inputs_folder() / "potentials", "NAME");
+  PotentialFile file = read_potential(options.name, inputs_folder() / "potentials", "NAME",
+                                      options.allow_code ? CodeInPotential::allowed : CodeInPotential::refused);
   for (const std::string& warning : file.warnings) spdlog::warn("{}", warning);
   std::optional<OutputFolder> folder;
   const auto open_folder = [&] {
@@ -77,7 +74,7 @@ int potential(const Options& options) {
     folder->finish(0);
   }
   if (options.json) write_json(result, options.json->string());
-  if (!options.json || *options.json != "-") print(card_table(result));
+  if (!options.json || *options.json != "-") print_result(card_table(result));
   return 0;
 }
 
@@ -93,6 +90,7 @@ void add_potential(CLI::App& app, int& exit_code) {
   command->add_option("--switch-length", options->switch_length, "move the C-C switch of AIREBO or REBO there, Å")
       ->type_name("VALUE");
   command->add_flag("--refresh", options->refresh, "compute anew even if this card is kept from an earlier run");
+  command->add_flag("--allow-code", options->allow_code, "let the potential bring a program of its own");
   command->footer(potential_examples);
   command->callback([options, &exit_code] { exit_code = potential(*options); });
 }

@@ -1,11 +1,14 @@
 #include "compare/input/kim_model.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <sstream>
 #include <vector>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
+#include "compare/base/paths.hpp"
 
 namespace validate {
 namespace {
@@ -45,12 +48,19 @@ std::vector<std::string> installed_models() {
 std::optional<KimModel> find_kim_model(const std::string& name) {
   for (const Collection& collection : collections)
     for (const fs::path& folder : folders_of(collection))
-      if (const fs::path library = folder / name / collection.library; fs::exists(library))
+      if (const fs::path library = folder / name / collection.library; is_there(library))
         return KimModel{name, collection.simulator, library};
   return std::nullopt;
 }
 
+bool is_kim_name(std::string_view name) {
+  const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+}
+
 KimModel require_kim_model(const std::string& name, std::string_view label) {
+  if (!is_kim_name(name))
+    throw bad_input("{}: '{}' is not the name of an OpenKIM model: letters, digits and _ alone", label, name);
   if (const auto model = find_kim_model(name)) return *model;
   const auto names = installed_models();
   const std::vector<std::string_view> candidates(names.begin(), names.end());

@@ -9,6 +9,7 @@
 #include "compare/base/describe.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
+#include "compare/base/paths.hpp"
 #include "compare/base/read_file.hpp"
 #include "compare/base/sha256.hpp"
 #include "compare/base/toml_file.hpp"
@@ -48,7 +49,7 @@ void describe(Self& k, Visitor&& visit) {
 
 fs::path find_description(std::string_view name_or_path, const fs::path& folder, std::string_view label) {
   if (const fs::path named = folder / fmt::format("{}.toml", name_or_path);
-      !name_or_path.ends_with(".toml") && !name_or_path.starts_with('/') && fs::exists(named))
+      !name_or_path.ends_with(".toml") && !name_or_path.starts_with('/') && is_there(named))
     return named;
   if (is_path(name_or_path)) return fs::absolute(name_or_path).lexically_normal();
   const auto names = available_potentials(folder);
@@ -64,7 +65,7 @@ fs::path find_parameters(const std::string& file, const fs::path& toml, std::str
   if (file.find('/') != std::string::npos) return fs::absolute(toml.parent_path() / file).lexically_normal();
   const auto places = places_for_parameters(toml);
   for (const fs::path& place : places) {
-    if (fs::exists(place / file)) return fs::absolute(place / file).lexically_normal();
+    if (is_there(place / file)) return fs::absolute(place / file).lexically_normal();
   }
   std::vector<std::string> searched;
   for (const fs::path& place : places) searched.push_back(place.string());
@@ -143,6 +144,19 @@ void check_keys(const Keys& keys, const fs::path& toml) {
   }
 }
 
+/// A style may be one of several in a hybrid.
+void check_code(const Keys& keys, std::string_view label, CodeInPotential code) {
+  constexpr std::string_view running_code[] = {"python", "mliap"};
+  std::istringstream words(keys.pair_style);
+  for (std::string word, before; words >> word; before = word) {
+    const std::string_view style = std::string_view(word).substr(0, word.find('/'));
+    if (code == CodeInPotential::refused && std::ranges::find(running_code, style) != std::end(running_code))
+      throw bad_input("{}: '{}' runs a program that the potential brings; --allow-code lets it", label, word);
+    if (before == "kim" && !is_kim_name(word))
+      throw bad_input("{}: '{}' is not the name of an OpenKIM model: letters, digits and _ alone", label, word);
+  }
+}
+
 }  // namespace
 
 bool is_path(std::string_view potential) {
@@ -170,11 +184,13 @@ std::vector<fs::path> places_for_parameters(const fs::path& toml) {
   return places;
 }
 
-PotentialFile read_potential(std::string_view name_or_path, const fs::path& folder, std::string_view label) {
+PotentialFile read_potential(std::string_view name_or_path, const fs::path& folder, std::string_view label,
+                             CodeInPotential code) {
   const fs::path toml = find_description(name_or_path, folder, label);
   Keys keys;
   const Origins origins = TomlFile(toml, label).read(keys);
   check_keys(keys, toml);
+  check_code(keys, label_of(origins, "pair_style"), code);
 
   PotentialFile result;
   result.toml = toml;

@@ -29,11 +29,15 @@ std::vector<std::string> available_potentials(const std::filesystem::path& folde
 /// own.
 std::vector<std::filesystem::path> places_for_parameters(const std::filesystem::path& toml);
 
+/// Whether a description, which may come from others, may make LAMMPS run a program.
+enum class CodeInPotential { refused, allowed };
+
 /// Reads a potential by name (in `folder`; `kim/hnn-2019` is one too) or by path (from the current directory) and
 /// checks that its parameter file exists, can be read, holds what the description says and suits the pair style, so
 /// that LAMMPS never sees a bad one; a file with other parameters than the description was written for is a warning.
-/// `label` (flag, or file and line) starts the messages. Throws Error: bad input; file failed if unreadable.
-PotentialFile read_potential(std::string_view name_or_path, const std::filesystem::path& folder,
-                             std::string_view label);
+/// `label` (flag, or file and line) starts the messages. Throws Error: bad input, a pair style that runs code among it;
+/// file failed if unreadable.
+PotentialFile read_potential(std::string_view name_or_path, const std::filesystem::path& folder, std::string_view label,
+                             CodeInPotential code = CodeInPotential::refused);
 
 }  // namespace validate

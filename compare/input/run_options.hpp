@@ -14,6 +14,7 @@ struct RunOptions {
   int ranks = 0;                                   ///< MPI ranks; 0: chosen by the program
   std::string launcher;                            ///< command before validate-atoms; empty: mpiexec where needed
   bool all_fields = false;                         ///< fields of the membranes at every depth
+  bool allow_code = false;                         ///< a potential may bring a program
   bool quiet = false, resume = false, overwrite = false, dry_run = false;
 };
 

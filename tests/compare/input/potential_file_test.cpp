@@ -196,4 +196,21 @@ TEST(Sha256, KnownDigests) {  // FIPS 180-2, appendix B, and the empty text
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
+TEST_F(PotentialFileTest, NothingThatOthersWriteRunsCode) {
+  const std::string rest = "pair_coeff = [\"* * C\"]\ninteraction_range = 8\n";
+  for (const char* style : {"python 8.0", "hybrid/overlay tersoff python 8.0", "mliap model mliappy x.pkl"}) {
+    const std::string text = "pair_style = \"" + std::string(style) + "\"\n" + rest;
+    expect_refusal([&] { read_text(text); }, {"x.toml:1: pair_style", "--allow-code"});
+    EXPECT_NO_THROW(read_potential(folder_.write("x.toml", text).string(), folder_.path() / "potentials", "--potential",
+                                   CodeInPotential::allowed));
+  }
+  for (const char* name : {"../x", "/home/x", "a b", "x.so", ""}) {
+    expect_refusal([&] { read_text("interaction_range = 8\n[kim]\nmodel = \"" + std::string(name) + "\"\n"); },
+                   {"x.toml"});
+    if (const std::string one_word = name; !one_word.empty() && one_word.find(' ') == std::string::npos)
+      expect_refusal([&] { read_text("pair_style = \"hybrid kim " + std::string(name) + "/\"\n" + rest); },
+                     {"x.toml:1: pair_style", "OpenKIM"});
+  }
+}
+
 }  // namespace
