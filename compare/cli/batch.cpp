@@ -13,6 +13,8 @@
 #include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
+#include "compare/base/standard_streams.hpp"
+#include "compare/base/system_failure.hpp"
 #include "compare/documents/bytes/run_h5.hpp"
 #include "compare/documents/bytes/run_h5_read.hpp"
 #include "compare/documents/texts/batch_table.hpp"
@@ -20,6 +22,7 @@
 #include "compare/process/folder_lock.hpp"
 #include "compare/process/many_cases.hpp"
 #include "compare/process/provenance.hpp"
+#include "compare/process/run_folder.hpp"
 #include "compare/process/run_record.hpp"
 
 namespace validate {
@@ -28,14 +31,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* batch_file = "batch.json";
+
 fs::path batch_folder(Command command, const RunOptions& options) {
   if (options.out) return fs::absolute(*options.out);
   const auto numbered = [command](int n) {
     return fs::path("runs") / fmt::format("{}-batch{}", command, n == 1 ? "" : fmt::format("-{}", n));
   };
+  if (!options.resume) return make_numbered_folder(numbered).path;
   int n = 1;
   while (fs::exists(numbered(n))) ++n;
-  return fs::absolute(numbered(options.resume && n > 1 ? n - 1 : n));
+  return fs::absolute(numbered(n > 1 ? n - 1 : n));
 }
 
 std::string case_name(const BatchCase& c) {
@@ -47,11 +53,19 @@ std::string log_name(const BatchCase& c) { return case_name(c) + ".log"; }
 /// A batch, or what a kill has left of one that --overwrite was clearing.
 bool is_batch(const fs::path& folder) {
   const auto record = read_record(folder);
-  return fs::exists(folder / "batch.json") || (record && record->files.empty() && record->folders.empty());
+  return fs::exists(folder / batch_file) || (record && record->files.empty() && record->folders.empty());
+}
+
+/// Killed before it was marked as a batch.
+bool is_begun(const fs::path& folder) {
+  return fs::is_directory(folder) &&
+         std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const auto& entry) { return is_temporary_of(entry.path().filename().string(), batch_file); });
 }
 
 void refuse_contents(const fs::path& folder, const RunOptions& options) {
-  const bool exists = fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder));
+  if (is_begun(folder)) return;
+  const bool exists = fs::exists(folder);
   if (exists && !is_batch(folder))
     throw bad_input("--out: '{}' exists and does not hold a batch of this program; choose another folder",
                     folder.string());
@@ -63,8 +77,7 @@ void refuse_contents(const fs::path& folder, const RunOptions& options) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", folder.string(), error.message()));
+  if (error) throw system_failure(fmt::format("cannot create '{}'", folder.string()), error.value());
 }
 
 /// Marks the folder as a batch, and notes what will be in it before it is there.
@@ -72,14 +85,14 @@ void prepare(const fs::path& folder, const std::vector<BatchCase>& cases, const 
   if (options.overwrite) clear_run(folder);
   RunRecord record = read_record(folder).value_or(RunRecord());
   Json list = Json::array();
-  for (const char* name : {"batch.json", "summary.json", "run.h5"}) record.add_file(name);
+  for (const char* name : {batch_file, "summary.json", "run.h5"}) record.add_file(name);
   for (const BatchCase& c : cases) {
     record.add_folder(case_name(c));
     record.add_file(log_name(c));
     list.push_back(case_name(c));
   }
   record.exit_code.reset();
-  write_file(folder / "batch.json", Json{{"schema", document_schema}, {"cases", list}}.dump(1) + "\n");
+  write_file(folder / batch_file, Json{{"schema", document_schema}, {"cases", list}}.dump(1) + "\n");
   write_record(folder, record);
 }
 
@@ -112,11 +125,14 @@ std::shared_ptr<const Result> read_summary(const fs::path& folder) {
   }
 }
 
-void tell(const Result& result, const RunOptions& options, const fs::path& folder) {
+void finish(const Result& result, const RunOptions& options, const fs::path& folder) {
   write_file(folder / "summary.json", json_text(result));
   write_run_h5(result, folder / "run.h5");
+  RunRecord record = read_record(folder).value_or(RunRecord());
+  record.exit_code = result.exit_code;
+  write_record(folder, record);
   if (options.json) write_json(result, options.json->string());
-  if (!options.json || *options.json != "-") fmt::print("{}", batch_table(result));
+  if (!options.json || *options.json != "-") print_result(batch_table(result));
 }
 
 }  // namespace
@@ -127,7 +143,7 @@ int run_batch(Command command, const std::vector<BatchCase>& cases, const std::v
   for (const BatchCase& c : cases)
     if (!names.insert(case_name(c)).second) throw bad_input("--potential, --radius: {} is named twice", case_name(c));
   if (options.dry_run) {
-    for (const BatchCase& c : cases) fmt::print("{}\n", case_name(c));
+    for (const BatchCase& c : cases) print_result(case_name(c) + "\n");
     return 0;
   }
   catch_interrupts();
@@ -145,10 +161,7 @@ int run_batch(Command command, const std::vector<BatchCase>& cases, const std::v
                             read_summary(folder / case_name(cases[i]))});
     result.exit_code = std::max(result.exit_code, ends[i].exit_code);
   }
-  tell(result, options, folder);
-  RunRecord record = read_record(folder).value_or(RunRecord());
-  record.exit_code = result.exit_code;
-  write_record(folder, record);
+  finish(result, options, folder);
   return result.exit_code;
 }
 

@@ -1,7 +1,6 @@
 #include "compare/process/run_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -9,6 +8,8 @@
 
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/read_file.hpp"
+#include "compare/base/system_failure.hpp"
 
 namespace validate {
 namespace {
@@ -37,21 +38,29 @@ Holds contents(const fs::path& folder) {
   if (record) return record->folders.empty() ? Holds::begun_run : Holds::something_else;
   if (fs::exists(folder / "summary.json")) return Holds::finished_run;  // by a version that kept no record
   if (is_begun(folder)) return Holds::begun_run;
-  return fs::is_empty(folder) ? Holds::nothing : Holds::something_else;
+  return fs::is_empty(folder) ? Holds::begun_run : Holds::something_else;  // killed before its first folder
 }
 
 fs::path numbered(const std::string& name, int number) {
   return fs::path("runs") / (number == 1 ? name : fmt::format("{}-{}", name, number));
 }
 
-/// The first free default folder, or with --resume the last one that exists.
-fs::path default_folder(const std::string& name, bool resume) {
+/// The last default folder that exists.
+fs::path last_default_folder(const std::string& name) {
   int number = 1;
   while (fs::exists(numbered(name, number))) ++number;
-  if (!resume) return numbered(name, number);
   if (number == 1)
     throw bad_input("--resume: there is no run in '{}'; name its folder with --out", numbered(name, 1).string());
   return numbered(name, number - 1);
+}
+
+/// The uppermost folder of a path that does not exist; empty: all do.
+fs::path uppermost_new(const fs::path& path) {
+  fs::path first_new;
+  std::error_code error;
+  for (fs::path above = path; !fs::exists(above, error) && above.has_relative_path(); above = above.parent_path())
+    first_new = above;
+  return first_new;
 }
 
 /// What is in the folder, where the options allow it.
@@ -80,8 +89,7 @@ Holds allowed_contents(const fs::path& folder, const RunOptions& options) {
 }
 
 void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& now) {
-  std::ifstream in(saved);
-  const auto before = nlohmann::ordered_json::parse(in, nullptr, false);
+  const auto before = nlohmann::ordered_json::parse(read_if_there(saved).value_or(""), nullptr, false);
   std::string changed;
   for (const auto& [key, value] : now.items())
     if (!before.is_object() || !before.contains(key) || before[key] != value)
@@ -91,16 +99,32 @@ void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& no
 
 }  // namespace
 
+NewFolder make_numbered_folder(const std::function<fs::path(int number)>& numbered) {
+  for (int number = 1;; ++number) {
+    const fs::path path = fs::absolute(numbered(number)), first_new = uppermost_new(path);
+    std::error_code error;
+    if (first_new.empty()) continue;
+    fs::create_directories(path.parent_path(), error);
+    if (!error && fs::create_directory(path, error)) return {path, first_new};
+    if (error) throw system_failure(fmt::format("cannot create '{}'", path.string()), error.value());
+  }
+}
+
 RunFolder::RunFolder(const RunOptions& options, const std::string& default_name, const nlohmann::ordered_json& identity)
     : DocumentFolder("work") {
-  path_ = fs::absolute(options.out ? *options.out : default_folder(default_name, options.resume)).lexically_normal();
-  if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
-  allowed_contents(path_, options);                        // before anything is made
+  if (options.out || options.resume) {
+    path_ = fs::absolute(options.out ? *options.out : last_default_folder(default_name)).lexically_normal();
+    if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at the end
+    allowed_contents(path_, options);                        // before anything is made
+    first_new_ = uppermost_new(path_);
+  } else {
+    const NewFolder made = make_numbered_folder([&](int number) { return numbered(default_name, number); });
+    path_ = made.path;
+    first_new_ = made.first_new;
+  }
   std::error_code error;
-  for (fs::path above = path_; !fs::exists(above, error) && above.has_relative_path(); above = above.parent_path())
-    first_new_ = above;
   fs::create_directories(path_, error);
-  if (error) throw Error(ExitCode::file_failed, fmt::format("cannot create '{}': {}", path_.string(), error.message()));
+  if (error) throw system_failure(fmt::format("cannot create '{}'", path_.string()), error.value());
   lock_.emplace(path_);
   const Holds holds = allowed_contents(path_, options);  // another run may have been here until now
   if (options.resume && holds == Holds::unfinished_run) {
@@ -116,8 +140,7 @@ void RunFolder::start(const nlohmann::ordered_json& identity) {
   clear_run(path_);
   std::error_code error;
   fs::create_directories(work(), error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", path_.string(), error.message()));
+  if (error) throw system_failure(fmt::format("cannot write in '{}'", path_.string()), error.value());
   write_file(work() / "case.json", identity.dump(1) + "\n");
   started_here_ = true;
 }
@@ -132,7 +155,9 @@ void RunFolder::finish(ExitCode code) {
 
 void RunFolder::remove_if_unused() {
   std::error_code ignored;
-  const auto entries = [](const fs::path& folder) { return std::distance(fs::directory_iterator(folder), {}); };
+  const auto entries = [&](const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder, ignored), {});
+  };
   if (!started_here_ || entries(work()) > 1 || entries(path_) > 1) return;
   fs::remove_all(work(), ignored);
   if (first_new_.empty()) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -35,6 +36,15 @@ class RunFolder : public DocumentFolder {
   std::filesystem::path first_new_;  ///< the uppermost folder that did not exist; empty: all did
   bool started_here_ = false;        ///< not resumed
 };
+
+struct NewFolder {
+  std::filesystem::path path;
+  std::filesystem::path first_new;  ///< the uppermost folder that was made for it
+};
+
+/// Makes the first of these folders that is not there yet: of several programs that ask at once each gets its own.
+/// Throws Error (file failed).
+NewFolder make_numbered_folder(const std::function<std::filesystem::path(int number)>& numbered);
 
 /// The exit code of the finished run in a folder; nothing where there is none.
 std::optional<int> finished_exit_code(const std::filesystem::path& folder);

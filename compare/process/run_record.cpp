@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
+#include "compare/base/read_file.hpp"
+#include "compare/base/system_failure.hpp"
 
 namespace validate {
 namespace {
@@ -84,8 +86,7 @@ void clear(const fs::path& folder, const std::vector<fs::path>& leftovers) {
   for (const std::string& name : record.files) remove_file(folder / name, error);
   for (const fs::path& leftover : leftovers)
     if (!error) fs::remove_all(folder / leftover, error);
-  if (error)
-    throw Error(ExitCode::file_failed, fmt::format("cannot write in '{}': {}", folder.string(), error.message()));
+  if (error) throw system_failure(fmt::format("cannot write in '{}'", folder.string()), error.value());
   if (holds_nothing_else(folder))
     fs::remove(folder / record_name, error);
   else
@@ -98,7 +99,7 @@ void RunRecord::add_file(const std::string& name) { add(files, name); }
 void RunRecord::add_folder(const std::string& name) { add(folders, name); }
 
 std::optional<RunRecord> read_record(const fs::path& folder) {
-  std::ifstream in(folder / record_name);
+  std::istringstream in(read_if_there(folder / record_name).value_or(""));
   std::string line;
   if (!std::getline(in, line) || line != first_line) return std::nullopt;
   RunRecord record;

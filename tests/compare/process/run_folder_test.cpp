@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <thread>
 
 #include "compare/base/file.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -131,11 +132,12 @@ TEST(RunFolder, IsInUseWhileItLives) {
 
 /// Each state in which a kill can leave a folder before the case is kept; each way of starting works on each.
 TEST(RunFolder, KilledBeforeItsCaseWasKeptIsUsable) {
-  for (const int state : {0, 1, 2})
+  for (const int state : {0, 1, 2, 3})
     for (const Asked asked : {Asked::plain, Asked::resume, Asked::overwrite}) {
       const TemporaryFolder parent;
       const fs::path out = parent / "run";
       fs::create_directories(out / "work");
+      if (state == 3) fs::remove(out / "work");
       if (state == 1) put(out / "work" / ".case.json.4711-0.tmp", "{");
       if (state == 2) {  // an --overwrite beside a file of the user's
         fs::remove(out / "work");
@@ -235,6 +237,17 @@ TEST(RunFolder, OfAnEarlierVersionIsAFinishedRun) {
   EXPECT_NE(refusal(parent / "run", Asked::plain).find("finished run"), std::string::npos);
   run(parent / "run", {"summary.json"}, Asked::overwrite);
   EXPECT_EQ(finished_exit_code(parent / "run"), 0);
+}
+
+TEST(RunFolder, OfManyThatAskAtOnceEachGetsItsOwn) {
+  const TemporaryFolder parent;
+  const auto numbered = [&](int number) { return parent / "runs" / ("x-" + std::to_string(number)); };
+  std::vector<std::thread> askers;
+  std::vector<fs::path> got(8);
+  for (fs::path& one : got) askers.emplace_back([&] { one = make_numbered_folder(numbered).path; });
+  for (std::thread& asker : askers) asker.join();
+  EXPECT_EQ(std::set<fs::path>(got.begin(), got.end()).size(), got.size());
+  EXPECT_EQ(make_numbered_folder(numbered).path, parent / "runs" / "x-9");
 }
 
 }  // namespace
