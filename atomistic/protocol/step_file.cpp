@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -21,7 +23,29 @@ struct Header {
   std::int64_t level, unloading, search, broken, converged, evaluations, factorisations;
   double target, depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
   std::int64_t positions, forces, factorised_at, virials;  ///< lengths
+  std::uint64_t checksum;                                  ///< of all others and of the vectors
 };
+
+/// FNV-1a: a change of one byte always changes it.
+class Checksum {
+ public:
+  void add(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+std::uint64_t checksum_of(const Header& header, const Step& step) {
+  Checksum sum;
+  sum.add(&header, offsetof(Header, checksum));
+  for (const Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at, &step.virials})
+    sum.add(v->data(), sizeof(double) * static_cast<std::size_t>(v->size()));
+  return sum.value();
+}
 
 Header header_of(const Step& s) {
   Header h{};
@@ -46,6 +70,7 @@ Header header_of(const Step& s) {
   h.forces = s.forces.size();
   h.factorised_at = s.factorised_at.size();
   h.virials = s.virials.size();
+  h.checksum = checksum_of(h, s);
   return h;
 }
 
@@ -119,31 +144,37 @@ Step read_step(const fs::path& file) {
   Header header{};
   if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) throw broken("not a step file, or cut short");
   if (std::memcmp(header.magic, Header{}.magic, sizeof header.magic) != 0) throw broken("not a step file");
-  const std::uintmax_t doubles =
-      static_cast<std::uintmax_t>(header.positions + header.forces + header.factorised_at + header.virials);
-  if (header.positions < 0 || header.forces < 0 || header.factorised_at < 0 || header.virials < 0 ||
-      fs::file_size(file) != sizeof header + sizeof(double) * doubles)
-    throw broken("a step file of the wrong length");
+  const std::uintmax_t bytes = fs::file_size(file);
+  std::uintmax_t doubles = 0;
+  for (const std::int64_t length : {header.positions, header.forces, header.factorised_at, header.virials}) {
+    if (length < 0 || static_cast<std::uintmax_t>(length) > bytes) throw broken("a step file of the wrong length");
+    doubles += static_cast<std::uintmax_t>(length);
+  }
+  if (bytes != sizeof header + sizeof(double) * doubles) throw broken("a step file of the wrong length");
   Step step = step_of(header);
   for (Eigen::VectorXd* v : {&step.positions, &step.forces, &step.factorised_at, &step.virials})
     if (!in.read(reinterpret_cast<char*>(v->data()), static_cast<std::streamsize>(sizeof(double)) * v->size()))
       throw broken("cut short");
+  if (checksum_of(header, step) != header.checksum) throw broken("a damaged step file");
   return step;
 }
 
 std::vector<Step> read_finished_steps(const fs::path& folder) {
   std::vector<Step> steps;
-  for (int level = 0; fs::exists(folder / step_file_name(level)); ++level)
-    steps.push_back(read_step(folder / step_file_name(level)));
+  for (int level = 0; fs::exists(folder / step_file_name(level)); ++level) {
+    try {
+      steps.push_back(read_step(folder / step_file_name(level)));
+    } catch (const std::runtime_error&) {  // damaged: it and what followed it is computed again
+      break;
+    }
+  }
   return steps;
 }
 
 std::optional<Step> read_deepest_step(const fs::path& folder) {
-  int level = 0;
-  while (fs::exists(folder / step_file_name(level))) ++level;
-  while (level-- > 0)
-    if (Step step = read_step(folder / step_file_name(level)); !step.unloading && !step.search) return step;
-  return std::nullopt;
+  std::vector<Step> steps = read_finished_steps(folder);
+  while (!steps.empty() && (steps.back().unloading || steps.back().search)) steps.pop_back();
+  return steps.empty() ? std::nullopt : std::optional(std::move(steps.back()));
 }
 
 }  // namespace atomistic

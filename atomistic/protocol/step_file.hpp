@@ -16,10 +16,10 @@ std::filesystem::path step_file_name(int level);
 /// file's name.
 void write_step(const Step& step, const std::filesystem::path& folder);
 
-/// Throws std::runtime_error naming the file if it is not a complete step.
+/// Throws std::runtime_error naming the file if it is not a complete step, or one of its bytes has changed.
 Step read_step(const std::filesystem::path& file);
 
-/// The levels 0, 1, 2, … that the folder holds without a gap.
+/// The levels 0, 1, 2, … that the folder holds without a gap, up to the first that is damaged.
 std::vector<Step> read_finished_steps(const std::filesystem::path& folder);
 
 /// The last of them on the way there, if there is any, without the search for a break.

@@ -26,10 +26,15 @@ using nlohmann::json;
 /// Counts up when a number of the card is computed in another way.
 constexpr int card_layout = 5;
 
+std::string digest_of(const json& kept) {
+  return sha256(json{kept.at("card"), kept.at("response"), kept.at("lammps")}.dump());
+}
+
 std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::path& file) {
   const json j = json::parse(read_if_there(file).value_or(""), nullptr, false);
   if (!j.is_object()) return std::nullopt;
   try {
+    if (j.at("sha256") != digest_of(j)) return std::nullopt;  // changed by hand, or by a disk
     return PotentialCard{.potential = potential,
                          .card = j.at("card"),
                          .response = j.at("response"),
@@ -45,7 +50,9 @@ std::optional<PotentialCard> cached(const PotentialFile& potential, const fs::pa
 void keep(const PotentialCard& card, const fs::path& file) {
   try {
     fs::create_directories(file.parent_path());
-    write_file(file, json{{"card", card.card}, {"response", card.response}, {"lammps", card.lammps}}.dump(1) + "\n");
+    json kept = {{"card", card.card}, {"response", card.response}, {"lammps", card.lammps}};
+    kept["sha256"] = digest_of(kept);
+    write_file(file, kept.dump(1) + "\n");
   } catch (const std::exception&) {
     // the next run computes it again
   }

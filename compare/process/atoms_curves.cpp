@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "atomistic/protocol/step_file.hpp"
+#include "compare/base/paths.hpp"
 #include "compare/process/provenance.hpp"
 
 namespace validate {
@@ -16,6 +17,15 @@ namespace fs = std::filesystem;
 constexpr int fewest_atoms_per_rank = 3000;
 
 fs::path steps_folder(const fs::path& work, const AtomsPath& path) { return work / path.name / "steps"; }
+
+/// One that the program has just written.
+atomistic::Step told_step(const fs::path& file) {
+  try {
+    return atomistic::read_step(file);
+  } catch (const std::runtime_error& error) {
+    throw Error(ExitCode::file_failed, error.what());
+  }
+}
 
 /// Levels done so far in each path, a level in progress counting half.
 class Ahead {
@@ -54,7 +64,7 @@ struct Listener {
                                 e.max_force_eV_per_A));
   }
   void operator()(const atomistic::StepEvent& e) const {
-    const atomistic::Step step = atomistic::read_step(steps_folder(work, path) / e.file);
+    const atomistic::Step step = told_step(steps_folder(work, path) / e.file);
     constexpr double near_artefact_A = 0.02;
     const bool near = step.longest_bond_A >= path.problem.potential.artefact_bond_A - near_artefact_A;
     const std::string place = step.search ? "break" : fmt::format("{:2}/{}", e.level + 1, path.problem.levels.size());
@@ -103,7 +113,14 @@ std::vector<AtomsCurve> compute_curves(const AtomsLaunch& launch, const std::vec
   for (std::size_t i = 0; i < paths.size(); ++i) {
     curves[i].steps = atomistic::read_finished_steps(steps_folder(work, paths[i]));
     keep_last_state(curves[i].steps);
-    if (outcomes[i].finished) continue;
+    const int next = static_cast<int>(curves[i].steps.size());
+    const fs::path damaged = steps_folder(work, paths[i]) / atomistic::step_file_name(next);
+    if (outcomes[i].finished && !is_there(damaged)) continue;
+    if (outcomes[i].finished) {
+      curves[i].failure = fmt::format("'{}' has been damaged; --resume computes it again", damaged.string());
+      curves[i].failure_code = ExitCode::file_failed;
+      continue;
+    }
     curves[i].failure = fmt::format("atoms, {} load: {}", paths[i].name, outcomes[i].failure);
     if (outcomes[i].fault == atomistic::Fault::file) curves[i].failure_code = ExitCode::file_failed;
   }

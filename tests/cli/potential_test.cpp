@@ -60,7 +60,7 @@ TEST_F(PotentialCommand, WritesFilesAndJson) {
   EXPECT_EQ(document(folder_.path() / "card/card.json"), card);
 }
 
-/// The second run reads what the first has kept, and needs no LAMMPS for it; a broken cache is computed again.
+/// The second run reads what the first has kept, and writes nothing; what has been changed since is computed again.
 TEST_F(PotentialCommand, KeepsTheCardByHash) {
   const Outcome first = run({"tersoff", "--json", "-"});
   ASSERT_EQ(first.exit_code, 0) << first.err;
@@ -68,13 +68,23 @@ TEST_F(PotentialCommand, KeepsTheCardByHash) {
   for (const auto& entry : fs::recursive_directory_iterator(cache()))
     if (entry.is_regular_file()) kept.push_back(entry.path());
   ASSERT_EQ(kept.size(), 1u);
+  const auto a0_of = [&](const Words& more) {
+    Words words = {"tersoff", "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return json::parse(run(words).out)["a0_A"].get<double>();
+  };
+  const double a0 = json::parse(first.out)["a0_A"];
+  const auto written = fs::last_write_time(kept[0]);
+  EXPECT_EQ(a0_of({}), a0);
+  EXPECT_EQ(fs::last_write_time(kept[0]), written) << "read from the cache";
+  EXPECT_EQ(a0_of({"--refresh"}), a0);
+  EXPECT_NE(fs::last_write_time(kept[0]), written);
   json changed = document(kept[0]);
   changed["card"]["a0_A"] = 2.5;
-  std::ofstream(kept[0]) << changed;
-  EXPECT_EQ(json::parse(run({"tersoff", "--json", "-"}).out)["a0_A"], 2.5) << "read from the cache";
-  EXPECT_NE(json::parse(run({"tersoff", "--json", "-", "--refresh"}).out)["a0_A"], 2.5);
-  std::ofstream(kept[0]) << "{ broken";
-  EXPECT_EQ(json::parse(run({"tersoff", "--json", "-"}).out)["a0_A"], json::parse(first.out)["a0_A"]);
+  for (const std::string& text : {changed.dump(), std::string("{ broken"), std::string("{\"sha256\": 1}")}) {
+    std::ofstream(kept[0]) << text;
+    EXPECT_EQ(a0_of({}), a0);
+  }
 }
 
 TEST_F(PotentialCommand, RefusesWhatItCannotUse) {

@@ -91,6 +91,37 @@ TEST_F(StepFile, AFileCutShortIsRefusedByName) {
   }
 }
 
+/// Every byte of the first kilobyte, in the header and in the vectors.
+TEST_F(StepFile, OneFlippedBitIsSeen) {
+  for (int level : {0, 1, 2}) write_step(step(level), folder);
+  const fs::path file = folder / step_file_name(1);
+  for (std::uintmax_t at = 0; at < std::min<std::uintmax_t>(fs::file_size(file), 1000); ++at) {
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekg(static_cast<std::streamoff>(at));
+    const int before = bytes.get();
+    bytes.seekp(static_cast<std::streamoff>(at)).put(static_cast<char>(before ^ 1 << at % 8)).flush();
+    EXPECT_THROW(read_step(file), std::runtime_error) << at;
+    EXPECT_EQ(read_finished_steps(folder).size(), 1u) << at;
+    bytes.seekp(static_cast<std::streamoff>(at)).put(static_cast<char>(before)).flush();
+  }
+  EXPECT_EQ(read_finished_steps(folder).size(), 3u);
+}
+
+/// Lengths whose sum is that of the file only because it wraps around.
+TEST_F(StepFile, LengthsThatNoFileHasAreRefused) {
+  write_step(step(0), folder);
+  const fs::path file = folder / step_file_name(0);
+  const auto header_bytes =
+      fs::file_size(file) - sizeof(double) * 3 * static_cast<std::size_t>(step(0).positions.size());
+  for (const std::int64_t length : {std::int64_t{1} << 61, std::int64_t{1} << 62, std::int64_t{-1}}) {
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(static_cast<std::streamoff>(header_bytes - 5 * 8));
+    for (int i = 0; i < 4; ++i) bytes.write(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes.flush();
+    EXPECT_THROW(read_step(file), std::runtime_error) << length;
+  }
+}
+
 TEST_F(StepFile, AnUnfinishedWriteIsNotSeen) {
   std::ofstream(folder / (step_file_name(0).string() + ".part")) << "half";
   EXPECT_TRUE(read_finished_steps(folder).empty());
