@@ -122,6 +122,39 @@ Problem problem_from_json(const json& j) {
           .virials = j.at("virials")};
 }
 
+/// Paths and names are bytes, JSON's texts are not: each byte becomes the character of its number.
+std::string text_of_bytes(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+      text += c;
+    else
+      text += {static_cast<char>(0xC0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3F))};
+  }
+  return text;
+}
+
+std::string bytes_of_text(const std::string& text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    if (first < 0x80) {
+      bytes += text[i];
+    } else {
+      if ((first & 0xFC) != 0xC0 || i + 1 == text.size()) throw std::runtime_error("not a text of bytes");
+      bytes += static_cast<char>((first & 0x03) << 6 | (static_cast<unsigned char>(text[++i]) & 0x3F));
+    }
+  }
+  return bytes;
+}
+
+void change_texts(json& j, std::string (*change)(const std::string&)) {
+  if (j.is_string()) j = change(j.get<std::string>());
+  if (j.is_structured())
+    for (json& part : j) change_texts(part, change);
+}
+
 }  // namespace
 
 void write_job(const Job& job, const std::filesystem::path& file) {
@@ -134,6 +167,7 @@ void write_job(const Job& job, const std::filesystem::path& file) {
     j["forces"] = forces_to_json(*forces);
   else
     j["card"] = {{"potential", std::get<CardJob>(job.work).potential}};
+  change_texts(j, text_of_bytes);
   std::ofstream out(file);
   out << j.dump(1) << '\n';
   if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
@@ -143,7 +177,8 @@ Job read_job(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot read the job file " + file.string());
   try {
-    const json j = json::parse(in);
+    json j = json::parse(in);
+    change_texts(j, bytes_of_text);
     Job job;
     job.log_file = j.at("log_file");
     if (j.contains("card"))

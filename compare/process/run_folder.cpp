@@ -88,7 +88,13 @@ Holds allowed_contents(const fs::path& folder, const RunOptions& options) {
   return holds;
 }
 
-void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& now) {
+/// A path in it need not be UTF-8: its foreign bytes become replacement characters.
+std::string text_of(const nlohmann::ordered_json& identity) {
+  return identity.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void refuse_changed_case(const fs::path& saved, const nlohmann::ordered_json& identity) {
+  const auto now = nlohmann::ordered_json::parse(text_of(identity));
   const auto before = nlohmann::ordered_json::parse(read_if_there(saved).value_or(""), nullptr, false);
   std::string changed;
   for (const auto& [key, value] : now.items())
@@ -141,7 +147,7 @@ void RunFolder::start(const nlohmann::ordered_json& identity) {
   std::error_code error;
   fs::create_directories(work(), error);
   if (error) throw system_failure(fmt::format("cannot write in '{}'", path_.string()), error.value());
-  write_file(work() / "case.json", identity.dump(1) + "\n");
+  write_file(work() / "case.json", text_of(identity));
   started_here_ = true;
 }
 

@@ -28,11 +28,28 @@ void add(std::vector<std::string>& names, const std::string& name) {
   if (is_entry_name(name) && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
+/// A name on one line.
+std::string written(const std::string& name) {
+  std::string line;
+  for (const char c : name) line += c == '\n' ? "\\n" : c == '\\' ? "\\\\" : std::string(1, c);
+  return line;
+}
+
+std::string name_of(const std::string& line) {
+  std::string name;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool escaped = line[i] == '\\' && i + 1 < line.size();
+    if (escaped) ++i;
+    name += escaped && line[i] == 'n' ? '\n' : line[i];
+  }
+  return name;
+}
+
 std::string text_of(const RunRecord& record) {
   std::string text = fmt::format("{}\n", first_line);
   if (record.exit_code) text += fmt::format("exit_code {}\n", *record.exit_code);
-  for (const std::string& name : record.folders) text += fmt::format("folder {}\n", name);
-  for (const std::string& name : record.files) text += fmt::format("file {}\n", name);
+  for (const std::string& name : record.folders) text += fmt::format("folder {}\n", written(name));
+  for (const std::string& name : record.files) text += fmt::format("file {}\n", written(name));
   return text;
 }
 
@@ -40,8 +57,8 @@ void read_line(const std::string& line, RunRecord& record) {
   const std::size_t space = line.find(' ');
   if (space == std::string::npos) return;
   const std::string key = line.substr(0, space), value = line.substr(space + 1);
-  if (key == "file") record.add_file(value);
-  if (key == "folder") record.add_folder(value);
+  if (key == "file") record.add_file(name_of(value));
+  if (key == "folder") record.add_folder(name_of(value));
   int code = 0;
   if (key == "exit_code" && std::from_chars(value.data(), value.data() + value.size(), code).ec == std::errc())
     record.exit_code = code;

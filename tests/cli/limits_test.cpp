@@ -105,4 +105,19 @@ TEST(Limits, ARunFolderThatIsTakenAwayIsExitCodeSix) {
   EXPECT_NE(outcome.err.find("run"), std::string::npos) << outcome.err;
 }
 
+/// A path is bytes: a line's end in it, and what is no UTF-8.
+TEST(Limits, AnyPathWillDo) {
+  const WorkFolder folder;
+  const std::string strange = "new\nline \xff'\"$(x)";
+  const fs::path inside = folder.path() / strange;
+  fs::create_directory(inside);
+  const Outcome outcome = run_validate(membrane({"--json", "x.json"}), inside);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"run/run.h5", "run/figure.svg", "run/figure.png", "run/report.html", "x.json"})
+    EXPECT_TRUE(fs::exists(inside / name)) << name;
+  expect_says(run_validate({"report", inside.string()}, folder.path()), 2, {"run.h5"});
+  EXPECT_EQ(run_validate({"report", (inside / "run").string()}, folder.path()).exit_code, 0);
+  EXPECT_EQ(run_validate(membrane({"--overwrite"}), inside).exit_code, 0);
+}
+
 }  // namespace

@@ -349,4 +349,26 @@ TEST_P(Ranks, GiveTheSameForces) {
 
 INSTANTIATE_TEST_SUITE_P(Tolerance, Ranks, testing::Values(std::pair("1e-5", 1e-4), std::pair("1e-8", 1e-6)));
 
+TEST(Run, InAFolderWhoseNameIsNoText) {
+  const WorkFolder folder;
+  const fs::path inside = folder.path() / "new\nline \xff'";
+  fs::create_directory(inside);
+  const Outcome outcome = run_validate(small_run({"--loads", "disc", "--out", "run"}), inside);
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
+  EXPECT_TRUE(fs::exists(inside / "run/atoms-disc.extxyz"));
+}
+
+/// What a launcher and the system print between the events is passed over.
+TEST(Run, UnderALauncherThatPrints) {
+  const WorkFolder folder;
+  folder.write("loud.sh", "#!/bin/sh\necho 'Loading module { x }'\n\"$@\"\necho done\n");
+  fs::permissions(folder.path() / "loud.sh", fs::perms::owner_all);
+  for (const std::string& launcher : {(folder.path() / "loud.sh").string(), std::string("mpiexec --tag-output -n 2")}) {
+    const Outcome outcome = run_validate(
+        small_run({"--loads", "disc", "--models", "atomistic", "--overwrite", "--out", "run", "--launcher", launcher}),
+        folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+}
+
 }  // namespace

@@ -29,7 +29,7 @@ std::optional<std::string> draw(const Plot& plot, const std::filesystem::path& f
   for (const PictureFormat format : formats) {
     const std::string file = name + (format == PictureFormat::png ? ".png" : ".svg");
     names += (names.empty() ? "" : " and ") + file;
-    pictures.push_back({format, files.emplace_back(folder / file).path()});
+    pictures.push_back({format, files.emplace_back(folder / file).path().filename()});  // whatever the folder's name
   }
   PendingFile script(folder / (name + ".gnuplot"));
   script.write(gnuplot_script(plot, pictures));
@@ -41,9 +41,9 @@ std::optional<std::string> draw(const Plot& plot, const std::filesystem::path& f
   if (!report->succeeded) fail("could not draw " + names);
   auto file = files.begin();
   for (const Picture& picture : pictures) {
-    if (picture.format == PictureFormat::png && std::filesystem::file_size(picture.file) < smallest_png_bytes)
+    if (picture.format == PictureFormat::png && std::filesystem::file_size(file->path()) < smallest_png_bytes)
       fail("drew a " + name + ".png without text or curves");
-    if (picture.format == PictureFormat::svg) file->write(compact_svg(read_file(picture.file)));
+    if (picture.format == PictureFormat::svg) file->write(compact_svg(read_file(file->path())));
     ++file;
   }
   for (PendingFile& drawn : files) drawn.commit();

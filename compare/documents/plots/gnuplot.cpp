@@ -12,7 +12,9 @@ std::optional<GnuplotReport> run_gnuplot(const std::filesystem::path& script) {
   const auto program = find_program("gnuplot");
   if (!program) return std::nullopt;
   // -d: what the user has set up for himself changes no figure.
-  ChildProcess child({.words = {program->string(), "-d", script.string()},
+  const std::filesystem::path whole = std::filesystem::absolute(script);
+  ChildProcess child({.words = {std::filesystem::absolute(*program).string(), "-d", whole.filename().string()},
+                      .folder = whole.parent_path(),
                       .if_not_started = ExitCode::file_failed,
                       .holds_locks = false});
   GnuplotReport report{.succeeded = false, .messages = child.read_to_end()};

@@ -12,8 +12,8 @@ struct GnuplotReport {
   std::string messages;  ///< what it wrote; with exit status 0 these are warnings (a missing font)
 };
 
-/// Runs `gnuplot -d script` (found on PATH, no shell) and waits for it. Nothing where there is no such program. Throws
-/// Error (interrupted).
+/// Runs `gnuplot -d script` (found on PATH, no shell) in the script's folder and waits for it. Nothing where there is
+/// no such program. Throws Error (interrupted).
 std::optional<GnuplotReport> run_gnuplot(const std::filesystem::path& script);
 
 /// A gnuplot string in single quotes, the quotes inside it doubled.

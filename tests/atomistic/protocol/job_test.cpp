@@ -18,6 +18,18 @@ class JobFile : public testing::Test {
   void TearDown() override { fs::remove(file); }
 };
 
+/// Paths are bytes.
+TEST_F(JobFile, APathNeedNotBeText) {
+  CardJob card;
+  card.potential.name = "caf\xe9";
+  card.potential.file = "/a\nb/\xff\xfe\x80/\xc3\xa9/\"'";
+  write_job({card, "/log\xc3"}, file);
+  const Job job = read_job(file);
+  EXPECT_EQ(job.log_file, "/log\xc3");
+  EXPECT_EQ(std::get<CardJob>(job.work).potential.file, card.potential.file);
+  EXPECT_EQ(std::get<CardJob>(job.work).potential.name, card.potential.name);
+}
+
 TEST_F(JobFile, ACurveSurvives) {
   Problem p;
   p.potential.pair_coeff = {"* * {file} C"};
