@@ -1,5 +1,7 @@
 #include "atomistic/equilibrium/predictor.hpp"
 
+#include <cmath>
+
 namespace atomistic {
 
 using Eigen::VectorXd;
@@ -13,11 +15,19 @@ VectorXd scaled(const PathState& state, double t) {
   return u;
 }
 
+/// Extrapolated over so many of the last steps, what the minimisations have left of each state tears the sheet.
+bool is_far(const std::vector<PathState>& states, double t) {
+  constexpr double most_steps = 20;
+  const std::size_t n = states.size();
+  const double last = states[n - 1].t, before = n > 1 ? states[n - 2].t : 0;
+  return std::abs(t - last) > most_steps * std::abs(last - before);
+}
+
 }  // namespace
 
 VectorXd extrapolate(const std::vector<PathState>& states, double t) {
   const std::size_t n = states.size();
-  if (n == 1) return scaled(states[0], t);
+  if (n == 1 || is_far(states, t)) return scaled(states.back(), t);
   const std::size_t first = n >= 3 ? n - 3 : 0;  // Lagrange through the newest two or three
   VectorXd u = VectorXd::Zero(states.back().displacement.size());
   for (std::size_t i = first; i < n; ++i) {
@@ -31,7 +41,7 @@ VectorXd extrapolate(const std::vector<PathState>& states, double t) {
 
 VectorXd extrapolate(const std::vector<PathState>& states, double t, const std::optional<VectorXd>& guide) {
   if (!guide) return extrapolate(states, t);
-  if (states.empty()) return *guide;
+  if (states.empty() || is_far(states, t)) return *guide;
   std::vector<PathState> rest;
   for (const PathState& state : states) {
     if (!state.guide) return extrapolate(states, t);

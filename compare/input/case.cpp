@@ -202,6 +202,27 @@ void check_levels(const Case& c, const Origins& origins) {
   }
 }
 
+/// Below this the force of a sheet of atoms, 16π κ δ/a² as long as it is bent alone, is not ten times what an
+/// equilibrium may leave on one atom, and the curve is noise.
+double smallest_depth_A(const Case& c) {
+  constexpr double tolerance_eV_per_A = 1e-5, softest_kappa_eV = 1, never_larger_A = 0.05;
+  return std::min(never_larger_A,
+                  10 * tolerance_eV_per_A * c.radius_A * c.radius_A / (16 * std::numbers::pi * softest_kappa_eV));
+}
+
+void check_resolved(const Case& c, const Origins& origins) {
+  constexpr double smallest_force_eV_per_A = 1e-4;
+  if (!has_indenter(c) || has_given_constants(c) || c.models == Models::membrane) return;
+  for (const double force : c.forces_eV_per_A)
+    if (!(force >= smallest_force_eV_per_A))
+      throw bad_input("{}: {} eV/Å is no more than what equilibria leave; at least {} eV/Å",
+                      label_of(origins, "forces"), force, smallest_force_eV_per_A);
+  if (c.forces_eV_per_A.empty() && !(depth_step_A(c) >= smallest_depth_A(c)))
+    throw bad_input("{}: the forces of a sheet of {} Å do not resolve {} Å; at least {:.2g} Å",
+                    label_of(origins, c.depth_step_A ? "depth-step" : "depth-max"), c.radius_A, depth_step_A(c),
+                    smallest_depth_A(c));
+}
+
 void check_places(const std::vector<double>& places, std::string_view name, const Case& c, const Origins& origins) {
   if (places.size() % 2 != 0)
     throw bad_input("{}: {} numbers are not pairs x,y", label_of(origins, name), places.size());
@@ -295,6 +316,7 @@ std::vector<std::string> check(const Case& c, const Origins& origins) {
   check_whole(c, origins);
   check_pressures(c, origins);
   check_levels(c, origins);
+  check_resolved(c, origins);
   check_places(c.vacancies_A, "vacancies", c, origins);
   check_places(c.stone_wales_A, "stone-wales", c, origins);
   check_window(c, origins);

@@ -36,6 +36,18 @@ TEST(Predictor, UsesTheNewestThree) {
   EXPECT_TRUE(extrapolate(states, 4).isApprox(scaling_state(4).displacement, 1e-13));
 }
 
+/// What is left of a minimisation, 1e-9 here, grows with the square of the steps that are extrapolated over.
+TEST(Predictor, FarAheadTheNewestStateIsScaled) {
+  std::vector<PathState> states = {scaling_state(1e-4), scaling_state(2e-4), scaling_state(3e-4)};
+  const double left[] = {1e-9, -1e-9, 1e-9};
+  for (std::size_t i = 0; i < 3; ++i) states[i].displacement.array() += left[i];
+  EXPECT_LT((extrapolate(states, 0.3) - scaling_state(0.3).displacement).norm(), 5e-3);
+  const VectorXd guide = VectorXd::Constant(6, 7);
+  for (PathState& state : states) state.guide = VectorXd::Zero(6);
+  EXPECT_TRUE(extrapolate(states, 0.3, guide).isApprox(guide, 1e-14));
+  EXPECT_FALSE(extrapolate(states, 4e-4, guide).isApprox(guide, 1e-9));
+}
+
 TEST(Extrapolation, AGuideLeavesOnlyItsErrorToExtrapolate) {
   // A path of any shape, which the guide misses by something linear in t.
   const auto truth = [](double t) { return VectorXd::Constant(3, std::exp(t)); };
