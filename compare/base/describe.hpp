@@ -57,6 +57,7 @@ constexpr Range any_number() { return {}; }
 constexpr Range positive() { return {.low = 0}; }
 constexpr Range not_negative() { return {.low = 0, .low_open = false}; }
 constexpr Range between(double low, double high) { return {low, high, true, true}; }
+constexpr Range from_above_to(double low, double high) { return {low, high, true, false}; }
 constexpr Range from_to(double low, double high) { return {low, high, false, false}; }
 
 struct Field {

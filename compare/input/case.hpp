@@ -119,7 +119,7 @@ void describe(Self& c, Visitor&& visit) {
       Field{"thickness", unit::length, "thickness that goes with E, and that stresses are over", positive(), "membrane"}
           .at_top_too(),
       c.thickness_A);
-  visit(Field{"nu", {}, "Poisson's ratio that goes with E", between(-1, 1), "membrane"}.at_top_too(), c.nu);
+  visit(Field{"nu", {}, "Poisson's ratio that goes with E", from_to(-0.95, 0.95), "membrane"}.at_top_too(), c.nu);
   describe_law(c.law, visit);
   visit(Field{"extent", {}, "part that is meshed", {}, "membrane"}.at_top_too(), c.extent);
   visit(Field{"cells", {}, "rings of a disc, cells along a side of a square's meshed part", from_to(8, 500), "membrane"}

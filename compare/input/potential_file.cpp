@@ -40,7 +40,8 @@ void describe(Self& k, Visitor&& visit) {
   visit(Field{"parameters_sha256", {}, "SHA-256 of the file's words outside comments"}, k.parameters_sha256);
   visit(Field{"switch_parameter", {}, "parameter that --switch-length moves"}, k.switch_parameter);
   visit(Field{"mass", {}, "mass of a carbon atom, g/mol", positive()}, k.mass);
-  visit(Field{"interaction_range", unit::length, "how far an atom changes forces", positive()}, k.interaction_range_A);
+  visit(Field{"interaction_range", unit::length, "how far an atom changes forces", from_above_to(0, 50)},
+        k.interaction_range_A);
   visit(Field{"artefact_bond", unit::length, "bond length from which forces are an artefact", positive()},
         k.artefact_bond_A);
   visit(Field{"citation", {}, "paper, with DOI"}, k.citation);

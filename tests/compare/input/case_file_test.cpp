@@ -169,7 +169,7 @@ TEST_F(CaseFile, ValuesOutOfRange) {
   }
   refuses("pretension = -1e-9", {":1: pretension", "-1e-09", ">= 0 eV/Å²"});
   refuses("forces = [1, 0]", {":1: forces", "must be > 0 eV/Å"});
-  refuses("[membrane]\nnu = 1", {":2: nu", "> -1 and < 1"});
+  refuses("[membrane]\nnu = 1", {":2: nu", ">= -0.95 and <= 0.95"});
   refuses("[agreement]\nwindow = [0.1, 1.5]", {":2: window", "1.5", "> 0 and < 1"});
   refuses("[atomistic]\nforce-tolerance = 1", {":2: force-tolerance", "<= 0.01 eV/Å"});
   refuses("radius = \"11 nmm\"", {":1: radius", "unknown unit 'nmm'", "did you mean 'nm'?"});
