@@ -196,6 +196,8 @@ void add_continuum(FittedCurve& result, const CurvePoints& points, const Measure
       return;
     }
     reason = std::get<std::string>(found);
+  } catch (const std::bad_alloc&) {  // another time it would be
+    throw;
   } catch (const std::exception& problem) {
     reason = problem.what();
   }

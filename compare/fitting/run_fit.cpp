@@ -191,6 +191,8 @@ std::vector<Rung> rungs(const Run& run, const LadderPhysics& physics, double dee
   const auto add = [&](const char* name, const std::optional<SheetPhysics>& of) {
     try {
       found.push_back({name, tables.of(run, of)});
+    } catch (const std::bad_alloc&) {  // another time it would be
+      throw;
     } catch (const std::exception&) {  // it is not solved: the ladder does without it
     }
   };
