@@ -99,7 +99,7 @@ int lammps_release() {
 struct ForceField::Instance {
   void* lammps = nullptr;
   MPI_Comm communicator = MPI_COMM_WORLD;
-  int rank = 0;
+  int rank = 0, ranks = 1;
   int atoms = 0;
   Box box;
   bool cell_changed = true;  ///< also true before the first run
@@ -124,6 +124,7 @@ struct ForceField::Instance {
     lammps = open_lammps(log_file, communicator);
     if (!lammps) throw std::runtime_error("LAMMPS did not start; see " + log_file);
     MPI_Comm_rank(communicator, &rank);
+    MPI_Comm_size(communicator, &ranks);
   }
 
   void create(const Eigen::VectorXd& positions) {
@@ -134,6 +135,13 @@ struct ForceField::Instance {
       throw std::runtime_error("LAMMPS did not take all atoms: some lie outside the box");
     check();
     local.resize(positions.size());
+  }
+
+  /// Which rank has an atom, and where in its arrays, would tell of the way here, and so would the last bits of sums: a
+  /// resumed run has come another way.
+  void create_anew(const Eigen::VectorXd& positions) {
+    command("delete_atoms group all compress no");
+    create(positions);
   }
 
   void set_potential(const Potential& potential) {
@@ -190,7 +198,10 @@ struct ForceField::Instance {
     const double start = seconds();
     positions.resize(3 * atoms);
     MPI_Bcast(positions.data(), static_cast<int>(positions.size()), MPI_DOUBLE, 0, communicator);
-    put(positions);
+    if (fresh && ranks > 1)
+      create_anew(positions);
+    else
+      put(positions);
     command(fresh ? "run 0 post no" : "run 1 pre no post no");
     collect_forces(forces);
     const double energy = lammps_get_thermo(lammps, "pe");

@@ -131,7 +131,7 @@ RunFolder::RunFolder(const RunOptions& options, const std::string& default_name,
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw system_failure(fmt::format("cannot create '{}'", path_.string()), error.value());
-  lock_.emplace(path_);
+  lock_.emplace(path_, options.resume ? 5 : 0);
   const Holds holds = allowed_contents(path_, options);  // another run may have been here until now
   if (options.resume && holds == Holds::unfinished_run) {
     refuse_changed_case(work() / "case.json", identity);

@@ -349,6 +349,33 @@ TEST_P(Ranks, GiveTheSameForces) {
 
 INSTANTIATE_TEST_SUITE_P(Tolerance, Ranks, testing::Values(std::pair("1e-5", 1e-4), std::pair("1e-8", 1e-6)));
 
+/// The lines of curves.csv without the remarks, which tell of the command.
+std::string curves_of(const fs::path& run) {
+  std::ifstream in(run / "curves.csv");
+  std::string all;
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with('#')) all += line + "\n";
+  return all;
+}
+
+/// To the last bit: which rank has an atom depends on the way there.
+TEST(Run, OfTwoRanksThatWasKilledEndsWithTheSameNumbers) {
+  const WorkFolder folder;
+  const auto two = [](const char* out, const Words& more = {}) {
+    Words words = small_run({"--loads", "disc", "--ranks", "2", "--out", out});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const int exit_code = run_validate(two("whole"), folder.path()).exit_code;
+  RunningValidate running(two("cut"), folder.path());
+  ASSERT_TRUE(appears(folder.path() / "cut/work/disc/steps/step-0001.bin"));
+  kill(running.pid(), SIGKILL);
+  running.wait();
+  EXPECT_EQ(run_validate(two("cut", {"--resume"}), folder.path()).exit_code, exit_code);
+  EXPECT_EQ(curves_of(folder.path() / "cut"), curves_of(folder.path() / "whole"));
+  EXPECT_GT(curves_of(folder.path() / "whole").size(), 1000u);
+}
+
 TEST(Run, InAFolderWhoseNameIsNoText) {
   const WorkFolder folder;
   const fs::path inside = folder.path() / "new\nline \xff'";
