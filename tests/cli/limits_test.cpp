@@ -1,6 +1,8 @@
 // What the system refuses a run: files, descriptors, memory, names, its own folder. Each is exit code 6 or 2 with a
 // message, nothing half written stays, and the run goes on once there is room.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -118,6 +120,37 @@ TEST(Limits, AnyPathWillDo) {
   expect_says(run_validate({"report", inside.string()}, folder.path()), 2, {"run.h5"});
   EXPECT_EQ(run_validate({"report", (inside / "run").string()}, folder.path()).exit_code, 0);
   EXPECT_EQ(run_validate(membrane({"--overwrite"}), inside).exit_code, 0);
+}
+
+/// A gnuplot that takes its time is stopped, and the run goes on with one that does not.
+TEST(Limits, AnInterruptWhileItDrawsIsExitCode130) {
+  const WorkFolder folder;
+  fs::create_directory(folder.path() / "slow");
+  folder.write("slow/gnuplot", "#!/bin/sh\ntouch '" + (folder.path() / "drawing").string() + "'\nsleep 60\n");
+  fs::permissions(folder.path() / "slow/gnuplot", fs::perms::owner_all);
+  RunningValidate running(membrane(), folder.path(),
+                          {"PATH=" + (folder.path() / "slow").string() + ":" + std::getenv("PATH")});
+  ASSERT_TRUE(appears(folder.path() / "drawing"));
+  kill(running.pid(), SIGINT);
+  expect_says(running.wait(), 130, {"--resume"});
+  EXPECT_TRUE(none_left(folder.path()));
+  EXPECT_EQ(run_validate(membrane({"--resume"}), folder.path()).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder.path() / "run/figure.svg"));
+}
+
+/// What a killed run's drawing goes on with keeps nobody out.
+TEST(Limits, AGnuplotThatIsLeftBehindHoldsNoFolder) {
+  const WorkFolder folder;
+  fs::create_directory(folder.path() / "slow");
+  folder.write("slow/gnuplot", "#!/bin/sh\ntrap '' TERM\ntouch '" + (folder.path() / "drawing").string() +
+                                   "'\nfor i in 1 2 3 4 5 6 7 8; do sleep 1; done\n");
+  fs::permissions(folder.path() / "slow/gnuplot", fs::perms::owner_all);
+  RunningValidate running(membrane(), folder.path(),
+                          {"PATH=" + (folder.path() / "slow").string() + ":" + std::getenv("PATH")});
+  ASSERT_TRUE(appears(folder.path() / "drawing"));
+  kill(running.pid(), SIGKILL);
+  running.wait();
+  EXPECT_EQ(run_validate(membrane({"--overwrite"}), folder.path()).exit_code, 0);
 }
 
 }  // namespace
