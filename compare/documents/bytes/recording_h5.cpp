@@ -49,18 +49,14 @@ void write_columns(h5::Group& group, const Recording& recording) {
 }  // namespace
 
 void write_recordings_h5(const std::vector<Recording>& recordings, const std::filesystem::path& file) {
-  PendingFile pending(file);
-  {
-    h5::File out(pending.path());
-    for (std::size_t i = 0; i < recordings.size(); ++i) {
-      h5::Group group = out.root().group(fmt::format("{}", i));
-      write_metadata(group, recordings[i]);
-      write_columns(group, recordings[i]);
-    }
-    out.root().attribute("software", std::string_view("validate"));
-    out.close();
+  h5::File out;
+  out.root().attribute("software", std::string_view("validate"));
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    h5::Group group = out.root().group(fmt::format("{}", i));
+    write_metadata(group, recordings[i]);
+    write_columns(group, recordings[i]);
   }
-  pending.commit();
+  write_file(file, out.image());
 }
 
 }  // namespace validate
