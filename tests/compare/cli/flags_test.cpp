@@ -120,7 +120,7 @@ TEST(Flags, HelpGivesUnitRangeDefaultAndChoices) {
   const CaseFlags flags(command, Case());
   const std::string help = command.help();
   for (const char* words : {"radius of the free sheet, half the side of a square; > 0 Å; default 110",
-                            "default point,disc", "membrane, atomistic, both; default both", "> -1 and < 1",
+                            "default point,disc", "membrane, atomistic, both; default both", ">= -0.95 and <= 0.95",
                             "Case, table [membrane]", ">= 0 eV/Å²; default 0", "default 0.03,0.5"}) {
     EXPECT_NE(help.find(words), std::string::npos) << words;
   }
