@@ -64,6 +64,25 @@ TEST(Streams, AClosedStandardOutputIsToldAfterEverythingIsWritten) {
   EXPECT_NE(text.find("cannot write to stdout"), std::string::npos) << text;
 }
 
+/// A pipe that takes a page and does not wait: everything comes through all the same.
+TEST(Streams, AnOutputThatDoesNotWaitGetsAll) {
+  const WorkFolder folder;
+  folder.write("pipe.py",
+               "import fcntl, os, subprocess, sys, time\n"
+               "read, write = os.pipe()\n"
+               "fcntl.fcntl(write, 1031, 4096)  # F_SETPIPE_SZ\n"
+               "os.set_blocking(write, False)\n"
+               "child = subprocess.Popen([sys.argv[1], 'schema', 'summary'], stdout=write)\n"
+               "os.close(write)\n"
+               "time.sleep(0.5)\n"
+               "open('came', 'wb').write(os.fdopen(read, 'rb').read())\n"
+               "sys.exit(child.wait())\n");
+  EXPECT_EQ(in_shell("$V schema summary >whole", folder.path()), 0);
+  EXPECT_EQ(in_shell("python3 pipe.py \"$V\"", folder.path()), 0);
+  EXPECT_GT(fs::file_size(folder.path() / "whole"), 10000u);
+  EXPECT_EQ(fs::file_size(folder.path() / "came"), fs::file_size(folder.path() / "whole"));
+}
+
 TEST(Streams, AReaderThatHasGoneEndsNoRun) {
   const WorkFolder folder;
   in_shell(joined(membrane) + " 2>said | true", folder.path());
