@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -307,12 +309,22 @@ std::optional<FitBias> bias_of(const Fit& fit, const Run& membrane) {
 void fit_runs(Result& result, const LadderPhysics& physics) {
   std::map<LoadKind, std::vector<Run*>> loads;
   for (Run& run : result.runs) loads[run.load].push_back(&run);
-  std::vector<std::jthread> threads;  // a load each: their tables have nothing in common
-  for (auto& [load, runs] : loads)
-    threads.emplace_back([&result, &physics, &runs = runs] {
-      Tables tables(result.runs);
-      for (Run* run : runs) fit_run(*run, physics, inputs_of(result, *run), tables);
-    });
+  std::map<LoadKind, std::exception_ptr> failures;
+  for (const auto& [load, runs] : loads) failures[load] = nullptr;
+  {
+    std::vector<std::jthread> threads;  // a load each: their tables have nothing in common
+    for (auto& [load, runs] : loads)
+      threads.emplace_back([&result, &physics, &runs = runs, &failure = failures[load]] {
+        try {
+          Tables tables(result.runs);
+          for (Run* run : runs) fit_run(*run, physics, inputs_of(result, *run), tables);
+        } catch (...) {
+          failure = std::current_exception();
+        }
+      });
+  }
+  for (const auto& [load, failure] : failures)
+    if (failure) std::rethrow_exception(failure);
 }
 
 void fit_run(Run& run, const LadderPhysics& physics, const ComputedInputs& inputs) {

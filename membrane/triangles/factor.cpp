@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "membrane/triangles/tuning.hpp"
 
@@ -23,6 +24,11 @@ class OneThread {
  private:
   int before_ = omp_get_max_active_levels();
 };
+
+/// Eigen tells a matrix that is not positive definite, which is an answer, and one that found no room alike.
+void require_memory(const cholmod_common& state) {
+  if (state.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+}
 
 double scale_of(const Factor::Matrix& lower) { return lower.diagonal().cwiseAbs().maxCoeff(); }
 
@@ -48,6 +54,7 @@ bool Factor::attempt(const Matrix& lower, double shift) {
   ++count_;
   cholesky_.setShift(shift);
   cholesky_.factorize(lower);
+  require_memory(cholesky_.cholmod());
   ready_ = cholesky_.info() == Eigen::Success;
   return ready_;
 }
@@ -55,6 +62,7 @@ bool Factor::attempt(const Matrix& lower, double shift) {
 bool Factor::factorise(const Matrix& lower, double damping) {
   if (!analysed_) {
     cholesky_.analyzePattern(lower);
+    require_memory(cholesky_.cholmod());
     analysed_ = true;
   }
   return attempt(lower, damping == 0 ? 0 : damping * scale_of(lower));
