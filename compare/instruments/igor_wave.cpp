@@ -17,7 +17,7 @@ constexpr int version = 5;
 /// Offsets of what is read in the header.
 namespace at {
 constexpr std::size_t formula_size = 8, note_size = 12, extended_size = 16, dimension_unit_sizes = 20, label_sizes = 36,
-                      values = 76, type = 80, extents = 132, step = 148, unit = 212;
+                      type = 80, extents = 132, step = 148, unit = 212;
 }
 constexpr std::size_t label_bytes = 32;
 

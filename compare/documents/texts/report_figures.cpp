@@ -16,7 +16,6 @@
 #include "compare/documents/plots/measured_curve_plot.hpp"
 #include "compare/documents/plots/pressed_atoms_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
-#include "compare/documents/plots/recording_plot.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/plots/stress_strain.hpp"
 #include "compare/documents/plots/window_scan.hpp"
@@ -103,16 +102,13 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
       for (const FittedCurve& curve : result.curves)
         all.push_back({{.title = curve.file, .caption = curve.file}, measured_plot(curve)});
       return all;
-    case Command::curve:
-      for (const Recording& curve : result.recordings)
-        all.push_back({{.title = curve.file, .caption = curve.file}, recording_plot(curve)});
-      return all;
     case Command::potential:
       return {{{.title = "stress and strain", .caption = "Homogeneous strain at T = 0."}, stress_strain_plot(result)}};
     case Command::figure:
     case Command::verify:
     case Command::batch:
     case Command::published:
+    case Command::curve:
       return {};
   }
   return all;

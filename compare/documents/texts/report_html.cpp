@@ -11,7 +11,6 @@
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/measured_report.hpp"
 #include "compare/documents/texts/published_table.hpp"
-#include "compare/documents/texts/recording_text.hpp"
 #include "compare/documents/texts/report_experiment.hpp"
 
 namespace validate {
@@ -74,8 +73,6 @@ std::string shown_on_terminal(const Result& result) {
     case Command::published:
       return published_text(result.beside);
     case Command::curve:
-      for (const Recording& curve : result.recordings) text += recording_text(curve) + "\n";
-      return text;
     case Command::figure:
     case Command::verify:
       return {};
