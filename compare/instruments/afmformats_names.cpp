@@ -123,6 +123,7 @@ void split_at_turn(Recording& recording) {
                   : c.height_measured ? &*c.height_measured
                   : c.depth           ? &*c.depth
                   : c.tip_position    ? &*c.tip_position
+                  : c.deflection      ? &*c.deflection
                                       : nullptr;
   std::size_t points = 0;
   describe(c, [&](const Field&, const std::optional<RecordedColumn>& column) {

@@ -94,17 +94,19 @@ TEST_F(Measured, ARowThatIsNotFiniteIsSkippedWithANote) {
 }
 
 /// A sheet's cubic to 100 nm and back, with a little adhesion on the way back.
-std::string cycle(double force_sign) {
-  std::string text = "depth (nm),force (nN)\n";
+std::string cycle(double force_sign, const char* name = "depth") {
+  std::string text = fmt::format("{} (nm),force (nN)\n", name);
   for (int i = -20; i <= 100; ++i) text += fmt::format("{},{}\n", i, force_sign * (i > 0 ? 1e-3 * i * i * i : 0));
   for (int i = 99; i >= -20; --i) text += fmt::format("{},{}\n", i, force_sign * (i > 0 ? 1e-3 * i * i * i - 20 : 0));
   return text;
 }
 
 TEST_F(Measured, OfACycleInOneTableTheApproachIsTaken) {
-  const MeasuredCurve curve = read(cycle(1));
-  EXPECT_EQ(curve.depth_A.size(), 121u);
-  EXPECT_GE(*std::ranges::min_element(curve.force_eV_per_A), 0);
+  for (const char* name : {"depth", "deflection", "height"}) {
+    const MeasuredCurve curve = read(cycle(1, name));
+    EXPECT_EQ(curve.depth_A.size(), 121u) << name;
+    EXPECT_GE(*std::ranges::min_element(curve.force_eV_per_A), 0) << name;
+  }
 }
 
 TEST_F(Measured, AForceOfTheOtherSignIsTurned) {
