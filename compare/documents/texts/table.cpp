@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "compare/base/errors.hpp"
-#include "compare/documents/texts/breaking_text.hpp"
 #include "compare/base/standard_streams.hpp"
+#include "compare/documents/texts/breaking_text.hpp"
 #include "compare/documents/texts/explanation_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
