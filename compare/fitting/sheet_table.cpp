@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "compare/fitting/even_spline.hpp"
-#include "compare/fitting/models/foeppl.hpp"
-#include "compare/fitting/models/list.hpp"
+#include "compare/fitting/sheet_ratio.hpp"
 
 namespace validate {
 namespace {
@@ -37,72 +36,6 @@ Nodes nodes_of(const MembraneTip& tip, bool coarse) {
   return tip.is_sphere() ? Nodes{20, 9} : tip.bending_eV() > 0 ? Nodes{tip.physics->scales ? 16 : 24, 5} : Nodes{16, 4};
 }
 
-/// The shallow sheet, which the ratio is taken to: Föppl's disc, or for a sphere the sum of its limits; and a plate,
-/// which neither parameter changes. Homogeneous in E·h and pretension but for that.
-class Shallow {
- public:
-  Shallow(const MembraneTip& tip, double deepest)
-      : a_(tip.a_A), foeppl_(foeppl_curve(tip.nu, tip.is_sphere() ? 0 : tip.tip_A / a_)) {
-    const ModelGeometry geometry{tip.a_A, tip.nu, tip.tip_A, tip.bending_eV()};
-    if (tip.is_sphere()) tabulate_sphere(closed_form("sphere-pretension", "").make(geometry), deepest);
-    if (tip.bending_eV() > 0)
-      plate_ = plate_stiffness(tip.is_sphere() ? ModelGeometry{tip.a_A, tip.nu, 0, tip.bending_eV()} : geometry);
-  }
-
-  double force(double d, double Eh, double pretension) const { return along(d, Eh, pretension).value.force; }
-
-  ForceAlong along(double d, double Eh, double pretension) const {
-    ForceAlong f = sphere_ ? of_sphere(d, Eh, pretension) : of_disc(d, Eh, pretension);
-    f.value.force = Eh * f.value.by_Eh + pretension * f.value.by_pretension + plate_ * d;
-    f.first.force = Eh * f.first.by_Eh + pretension * f.first.by_pretension + plate_;
-    return f;
-  }
-
- private:
-  struct Sphere {
-    EvenSteps steps;  ///< of ln d
-    EvenSpline line;  ///< of the pretension's share over the depth
-  };
-
-  /// Its contact is found once for many depths.
-  void tabulate_sphere(const AnyCurveModel& form, double deepest) {
-    constexpr int count = 300;
-    const double unit[] = {1, 1}, lowest = std::log(1e-7 * deepest);
-    const EvenSteps steps{lowest, (std::log(2 * deepest) - lowest) / (count - 1), count};
-    std::vector<double> line;
-    double gradient[2] = {};
-    for (int i = 0; i < count; ++i) {
-      const double d = std::exp(lowest + i * steps.step);
-      form.gradient(d, unit, gradient);
-      line.push_back(gradient[1] / d);
-    }
-    sphere_ = Sphere{steps, EvenSpline(steps, std::move(line))};
-  }
-
-  /// E·h α δ³/a² + σ0h δ p(ln δ)
-  ForceAlong of_sphere(double d, double Eh, double pretension) const {
-    const SplineAlong p = sphere_->line.along(sphere_->steps.place(std::log(d)));
-    const double cubic = foeppl_->alpha() / (a_ * a_);
-    return {{0, cubic * d * d * d, d * p.value},
-            {0, 3 * cubic * d * d, p.value + p.first},
-            6 * cubic * Eh * d + pretension * (p.first + p.second) / d};
-  }
-
-  /// E·h δ³/a² g(η), η = σ0h a²/(E·h δ²)
-  ForceAlong of_disc(double d, double Eh, double pretension) const {
-    const double eta = pretension * a_ * a_ / (Eh * d * d), square = d * d / (a_ * a_);
-    const auto [g, slope, bend] = foeppl_->along(eta);
-    const double rest = g - eta * slope, bent = 2 * eta * eta * bend;
-    return {{0, square * d * rest, d * slope},
-            {0, square * (3 * rest + bent), slope - 2 * eta * bend},
-            Eh * d / (a_ * a_) * (6 * rest + 2 * bent)};
-  }
-
-  double a_, plate_ = 0;
-  std::shared_ptr<const FoepplCurve> foeppl_;
-  std::optional<Sphere> sphere_;
-};
-
 struct FreeSpline {
   void operator()(gsl_interp* p) const { gsl_interp_free(p); }
 };
@@ -116,59 +49,6 @@ std::vector<double> resampled(const std::vector<double>& x, const std::vector<do
   for (const double t : at)
     values.push_back(gsl_interp_eval(spline.get(), x.data(), y.data(), std::clamp(t, x.front(), x.back()), nullptr));
   return values;
-}
-
-/// Ratio to the shallow sheet along a path.
-struct RatioCurve {
-  std::vector<double> log_depth, ratio;
-  double last_level = 0;  ///< the deepest controlled depth reached
-};
-
-RatioCurve ratio_at(const MembraneTip& tip, const Shallow& shallow, double Eh, double pretension,
-                    const std::vector<double>& levels) {
-  membrane::Problem problem = problem_of(tip, law_of(tip, Eh), pretension, levels);
-  // A quarter of the usual elements: the forces change by less than 2e-5, without bending by 1e-6.
-  if (!problem.bending) problem.discretisation = membrane::Meridian{tip.is_sphere() ? 0.25 : 0.5};
-  RatioCurve curve;
-  const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
-    if (!step.converged) return false;
-    curve.log_depth.push_back(std::log(step.depth_A));
-    curve.ratio.push_back(step.force_eV_per_A / shallow.force(step.depth_A, Eh, pretension));
-    curve.last_level = levels[static_cast<std::size_t>(step.level)];
-    return true;
-  });
-  if (curve.ratio.size() < 6) throw std::runtime_error("the membrane did not converge: " + report.reason);
-  return curve;
-}
-
-/// Controlled depths that are solved: from half the table's shallowest to beyond its deepest, since a spline is worst
-/// at its ends; not beyond where a law was seen to end.
-struct Levels {
-  double low, high;
-  bool law_ends = false;  ///< at `high`, where the force bends most
-  explicit Levels(double deepest) : low(0.5 * shallowest_share * deepest), high(1.2 * deepest) {}
-};
-
-/// At levels in equal ratios, shifted by `offset` of their spacing; where the law ends before the last, close to its
-/// end.
-RatioCurve solved_ratio(const MembraneTip& tip, const Shallow& shallow, double Eh, double pretension,
-                        const Levels& between, int depths, double offset = 0) {
-  constexpr int parts = 8;  // of the step that the law ends in
-  const double low = between.low, high = between.high;
-  std::vector<double> levels;
-  for (int i = 0; i < depths; ++i) levels.push_back(low * std::pow(high / low, (i + offset) / (depths - 1.0)));
-  if (between.law_ends) {  // as close together there as for the sheet that was followed to its end
-    const double before = levels[levels.size() - 2], after = levels.back();
-    levels.pop_back();
-    for (int i = 1; i <= parts; ++i) levels.push_back(std::lerp(before, after, static_cast<double>(i) / parts));
-  }
-  RatioCurve curve = ratio_at(tip, shallow, Eh, pretension, levels);
-  const std::size_t reached = curve.ratio.size();
-  if (reached == levels.size()) return curve;
-  const double before = levels[reached - 1], after = levels[reached];
-  levels.resize(reached);
-  for (int i = 1; i < parts; ++i) levels.push_back(std::lerp(before, after, static_cast<double>(i) / parts));
-  return ratio_at(tip, shallow, Eh, pretension, levels);
 }
 
 /// Chebyshev's points of the second kind on [low, high] and the polynomial through values there.
@@ -209,7 +89,7 @@ class Table {
         shallow_(tip, range.deepest_A),
         Eh_(range.Eh_eV_per_A2),
         scale_(0.05 * std::pow(range.deepest_A / tip.a_A, 2)),
-        levels_(range.deepest_A),
+        levels_{0.5 * shallowest_share * range.deepest_A, 1.2 * range.deepest_A},
         nodes_(nodes_of(tip, range.coarse)),
         over_pretension_(0, std::log1p(std::max(range.pretension_share, least_share) / scale_), nodes_.pretensions),
         over_Eh_(1 - Eh_share, 1 / (1 - Eh_share), Eh_nodes()) {
@@ -358,9 +238,9 @@ class Table {
   }
 
   MembraneTip tip_;
-  Shallow shallow_;
+  ShallowSheet shallow_;
   double Eh_, scale_;
-  Levels levels_;
+  Levels levels_;  ///< from half the shallowest to beyond the deepest: a spline is worst at its ends
   Nodes nodes_;
   Chebyshev over_pretension_, over_Eh_;
   EvenSteps steps_;                  ///< of ln d

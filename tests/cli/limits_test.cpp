@@ -46,7 +46,7 @@ TEST(Limits, ADiskThatIsFullForRunH5IsExitCodeSix) {
 }
 
 TEST(Limits, TooFewDescriptorsAreExitCodeSix) {
-  for (const int count : {4, 5, 6, 7, 8}) {
+  for (const int count : {5, 6, 7, 8}) {  // with four the system cannot load the program's libraries
     const WorkFolder folder;
     const Outcome outcome = limited("--nofile=" + std::to_string(count), membrane({"--quiet"}), folder.path());
     EXPECT_TRUE(outcome.exit_code == 6 || outcome.exit_code == 0) << count << ": " << outcome.exit_code << outcome.err;

@@ -316,11 +316,13 @@ TEST(Failure, AKilledRankIsNamedWithItsSignal) {
 
 TEST(Failure, TwoRunsCannotShareAFolder) {
   const WorkFolder folder;
-  RunningValidate first({"indentation", "--radius", "30", "--loads", "disc", "--out", "run"}, folder.path());
+  // Longer than --resume waits for what is left of a killed run.
+  const Words run = {"indentation", "--radius", "90", "--loads", "disc", "--out", "run"};
+  RunningValidate first(run, folder.path());
   ASSERT_TRUE(appears(folder.path() / "run/work/case.json"));
-  expect_says(
-      run_validate({"indentation", "--radius", "30", "--loads", "disc", "--out", "run", "--resume"}, folder.path()), 2,
-      {"in use"});
+  Words again = run;
+  again.push_back("--resume");
+  expect_says(run_validate(again, folder.path()), 2, {"in use"});
   kill(first.pid(), SIGTERM);
   first.wait();
 }

@@ -26,7 +26,7 @@ int in_shell(const std::string& line, const fs::path& folder) {
 }
 
 std::string joined(const Words& words) {
-  std::string line = "$V";
+  std::string line = "\"$V\"";
   for (const std::string& word : words) line += " '" + word + "'";
   return line;
 }
@@ -52,7 +52,7 @@ TEST(Streams, AClosedStandardErrorEndsNothing) {
   const WorkFolder folder;
   EXPECT_EQ(in_shell(joined(membrane) + " >/dev/null 2>&-", folder.path()), 0);
   expect_finished(folder.path() / "run", 0);
-  EXPECT_EQ(in_shell("$V indentation --radius x 2>&-", folder.path()), 2);
+  EXPECT_EQ(in_shell("\"$V\" indentation --radius x 2>&-", folder.path()), 2);
 }
 
 TEST(Streams, AClosedStandardOutputIsToldAfterEverythingIsWritten) {
@@ -77,7 +77,7 @@ TEST(Streams, AnOutputThatDoesNotWaitGetsAll) {
                "time.sleep(0.5)\n"
                "open('came', 'wb').write(os.fdopen(read, 'rb').read())\n"
                "sys.exit(child.wait())\n");
-  EXPECT_EQ(in_shell("$V schema summary >whole", folder.path()), 0);
+  EXPECT_EQ(in_shell("\"$V\" schema summary >whole", folder.path()), 0);
   EXPECT_EQ(in_shell("python3 pipe.py \"$V\"", folder.path()), 0);
   EXPECT_GT(fs::file_size(folder.path() / "whole"), 10000u);
   EXPECT_EQ(fs::file_size(folder.path() / "came"), fs::file_size(folder.path() / "whole"));
@@ -96,7 +96,7 @@ TEST(Streams, FullOnes) {
   EXPECT_EQ(in_shell(joined(membrane) + " >/dev/null 2>" + full, folder.path()), 0);
   expect_finished(folder.path() / "run", 0);
   for (const char* command : {"--help", "--version", "model", "indentation --help", "schema summary"})
-    EXPECT_EQ(in_shell(std::string("$V ") + command + " 2>/dev/null >" + full, folder.path()), 6) << command;
+    EXPECT_EQ(in_shell(std::string("\"$V\" ") + command + " 2>/dev/null >" + full, folder.path()), 6) << command;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ PlainLammps::PlainLammps(const atomistic::Potential& potential, const std::files
   command("read_data " + data_file.string());
   command("pair_style " + potential.pair_style);
   for (std::string line : potential.pair_coeff) {
-    if (const auto at = line.find("{file}"); at != std::string::npos) line.replace(at, 6, potential.file);
+    if (const auto at = line.find("{file}"); at != std::string::npos) line.replace(at, 6, '"' + potential.file + '"');
     command("pair_coeff " + line);
   }
   command("thermo_style custom step pe fnorm fmax");
