@@ -45,6 +45,7 @@ struct FitFlags {
   unsigned seed = 1;
   OutputOptions output;
   std::string json;
+  std::vector<int> curves;
 };
 
 /// Value of a flag, or of the remark of the same name in the file.
@@ -186,6 +187,7 @@ MeasuredRequest request_of(const FitFlags& flags) {
   MeasuredRequest request{.columns = {flags.depth_column, flags.force_column, flags.sigma_column}};
   const std::string segment = parse_text(with_words<SegmentKind>(Field{.name = "segment"}), flags.segment, "--segment");
   request.segment = from_word<SegmentKind>(segment).value();
+  request.curves = flags.curves;
   if (!flags.spring_constant.empty())
     request.calibration.spring_constant_N_per_m =
         N_per_m_per_eV_per_A2 * with_unit(Field{"spring-constant", unit::membrane_force, "", positive()},
@@ -227,6 +229,7 @@ depth_nm,force_nN or "depth (nm)", "force [nN]". Lines of the form
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit *.csv --radius "0.50 ± 0.01 um" --nu 0.165 --tip-radius "16.5 ± 2 nm" --contact fit --out fits
+  validate fit runs/indentation-airebo-R110/curves.csv --run 1 --radius "110 A" --nu 0.36 --tip disc --tip-radius "10 A"
   validate fit map.jpk-force-map --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit curve.csv --radius "0.5 um" --tip disc --tip-radius "16.5 nm" --potential lcbop
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
@@ -264,6 +267,11 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--spring-constant", flags->spring_constant,
        "of the cantilever, with its error: all forces are in proportion to it; turns heights into depths");
   text("--sensitivity", flags->sensitivity, "of the deflection, where a file has it in V (m/V) or A (m/A)");
+  command
+      ->add_option("--run", flags->curves,
+                   "of a file with several curves these alone: runs of a curves.csv, numbers of a map; default all")
+      ->type_name("N,N...")
+      ->delimiter(',');
   text("--segment", flags->segment, "which is fitted; approach, retract, pause; default approach", "NAME");
   text("--sensitivity-error", flags->sensitivity_error, "relative error of the deflection, 5 % say", "NUMBER");
   text("--depth-min", flags->depth_min, "smallest depth used");

@@ -1,5 +1,7 @@
 #include "compare/instruments/measured.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -151,8 +153,16 @@ MeasuredCurve measured(const Recording& recording, const MeasuredRequest& reques
 std::vector<MeasuredCurve> read_measured(const std::filesystem::path& file, const MeasuredRequest& request) {
   const auto recordings = open_recordings(file, request.calibration);
   std::vector<MeasuredCurve> curves;
-  for (std::size_t i = 0; i < recordings->size(); ++i)
-    curves.push_back(measured(recordings->read(i), request, recordings->size() > 1));
+  std::vector<int> missing = request.curves, there;
+  for (std::size_t i = 0; i < recordings->size(); ++i) {
+    const Recording recording = recordings->read(i);
+    there.push_back(recording.index);
+    std::erase(missing, recording.index);
+    if (request.curves.empty() || std::ranges::find(request.curves, recording.index) != request.curves.end())
+      curves.push_back(measured(recording, request, recordings->size() > 1));
+  }
+  if (!missing.empty())
+    throw bad_input("--run: {} has no curve {}; it has {}", file.string(), missing.front(), fmt::join(there, ", "));
   return curves;
 }
 

@@ -17,7 +17,10 @@ Regime by_ratio(double ratio, double tolerance) {
 Regime by_contributions(const Explanation& e, std::size_t i, double tolerance) {
   const double bending = e.bending[i], law = e.large_strain[i];
   if (std::max(std::abs(bending), std::abs(law)) <= tolerance) return Regime::membrane;
-  if (std::abs(bending + law) <= tolerance) return Regime::cancellation;
+  constexpr double notable = 0.5;  // of the larger
+  const bool opposite = bending * law < 0,
+             alike = std::min(std::abs(bending), std::abs(law)) >= notable * std::max(std::abs(bending), std::abs(law));
+  if (opposite && alike && std::abs(bending + law) <= tolerance) return Regime::cancellation;
   if (std::abs(bending) >= std::abs(law)) return Regime::bending;
   return law < 0 ? Regime::softening : Regime::hardening;
 }

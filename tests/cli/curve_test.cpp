@@ -53,6 +53,29 @@ TEST(CurveCommand, AMapBecomesDocumentsOfEachCurve) {
   EXPECT_EQ(json::parse(again.out)["curves"].size(), 16u);
 }
 
+TEST(FitCommand, TakesTheRunsThatAreAskedFor) {
+  const WorkFolder folder;
+  const Outcome made =
+      run_validate({"indentation", "--models", "membrane", "--loads", "point,disc", "--radius", "60", "--E", "5",
+                    "--thickness", "1", "--nu", "0.2", "--tip-radius", "6", "--out", "run"},
+                   folder.path());
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto fit = [&](const std::string& runs) {
+    return run_validate({"fit", "run/curves.csv", "--run", runs, "--radius", "60 A", "--nu", "0.2", "--tip", "disc",
+                         "--tip-radius", "6 A", "--json", "-"},
+                        folder.path());
+  };
+  const Outcome one = fit("1");
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  const json document = json::parse(one.out);
+  ASSERT_EQ(document["curves"].size(), 1u);
+  for (const json& reading : document["curves"][0]["fits"]) {
+    if (reading["model"] != "membrane") continue;
+    EXPECT_NEAR(reading["Eh_eV_per_A2"].get<double>(), 5, 0.01);
+  }
+  expect_says(fit("7"), 2, {"--run", "no curve 7", "it has 0, 1"});
+}
+
 TEST(CurveCommand, BadInputIsNamed) {
   const WorkFolder folder;
   folder.write("noise.bin", std::string("\x01\x02\x1b[31m\0\xff", 9));

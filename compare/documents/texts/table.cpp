@@ -110,9 +110,9 @@ void add_regimes(std::string& text, const Result& result) {
   for (const Comparison& c : result.comparisons) {
     if (c.depth_A.empty() || c.load == LoadKind::pressure) continue;
     std::string more;
-    if (std::isfinite(c.artefact_from_A)) more += fmt::format("; artefact zone from {:.3g} Å", c.artefact_from_A);
     if (std::isfinite(c.predicted_artefact_from_A))
-      more += fmt::format(" (predicted by the sheet's strains: {:.3g} Å)", c.predicted_artefact_from_A);
+      more = fmt::format("; the sheet's strains put the artefact zone's beginning at {:.3g} Å",
+                         c.predicted_artefact_from_A);
     sentence(text, "{} load: {}{}", to_string(c.load), regime_text(c), more);
   }
   if (!result.comparisons.empty()) text += '\n';

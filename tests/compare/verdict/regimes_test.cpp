@@ -7,13 +7,14 @@
 namespace validate {
 namespace {
 
-// One depth each: bending alone, the two that cancel, softening, hardening, nothing, the artefact zone.
+// One depth each: bending alone, the two that cancel, softening (with what bending there is), hardening, nothing, the
+// artefact zone.
 Explanation parts() {
   Explanation e;
   e.depth_A = {1, 2, 3, 4, 5, 6};
   e.geometry = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};  // the same in the membrane that is compared with
   e.bending = {0.2, 0.09, 0.02, 0.01, 0.01, 0.0};
-  e.large_strain = {-0.01, -0.1, -0.2, 0.1, -0.01, -0.3};
+  e.large_strain = {-0.01, -0.1, -0.07, 0.1, -0.01, -0.3};
   return e;
 }
 
