@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -197,19 +199,56 @@ MeasuredRequest request_of(const FitFlags& flags) {
   return request;
 }
 
+/// Of several curves one that cannot be read or fitted does not stop the others; of one alone it is the command's
+/// error, and so is what every one of them fails of.
+class Failures {
+ public:
+  explicit Failures(Result& result) : result_(result) {}
+
+  void try_on(const std::string& name, const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      if (error.exit_code() != ExitCode::bad_input) throw;
+      if (!first_) first_ = std::current_exception();
+      result_.unfitted.push_back({name, error.what()});
+    }
+  }
+
+  void settle() const {
+    if (first_ && result_.curves.empty()) std::rethrow_exception(first_);
+    for (const UnfittedCurve& curve : result_.unfitted) spdlog::warn("not fitted: {}", curve.reason);
+  }
+
+ private:
+  Result& result_;
+  std::exception_ptr first_;
+};
+
+void fit_all(const FitFlags& flags, const std::optional<PotentialCard>& card, Result& result) {
+  const MeasuredRequest request = request_of(flags);
+  Failures failures(result);
+  const auto fit_one = [&](const MeasuredCurve& curve) {
+    FittedCurve fitted = evaluate(curve, options_of(flags, curve, card));
+    fitted.notes.insert(fitted.notes.begin(), curve.notes.begin(), curve.notes.end());
+    result.curves.push_back(std::move(fitted));
+  };
+  for (const std::string& file : flags.files)
+    failures.try_on(file, [&] {
+      for (const MeasuredCurve& curve : read_measured(file, request))
+        failures.try_on(curve.file.string(), [&] { fit_one(curve); });
+    });
+  failures.settle();
+}
+
 int fit(const FitFlags& flags) {
   atomistic::use_one_math_thread();
   Result result;
   result.command = Command::fit;
   result.provenance = provenance(command_line());
   const std::optional<PotentialCard> card = card_of(flags);
-  const MeasuredRequest request = request_of(flags);
-  for (const std::string& file : flags.files)  // everything is read and checked before anything is written
-    for (const MeasuredCurve& curve : read_measured(file, request)) {
-      FittedCurve fitted = evaluate(curve, options_of(flags, curve, card));
-      fitted.notes.insert(fitted.notes.begin(), curve.notes.begin(), curve.notes.end());
-      result.curves.push_back(std::move(fitted));
-    }
+  // Everything is read and checked before anything is written.
+  fit_all(flags, card, result);
   if (flags.output.out) {
     OutputFolder folder(*flags.output.out, flags.output.overwrite);
     write_fit_files(result, folder.drafts());

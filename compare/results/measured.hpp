@@ -52,4 +52,14 @@ void describe(SameStruct<FittedCurve> auto& curve, auto&& visit) {
   visit(Field{"notes", unit::none, "what the points cannot tell apart"}, curve.notes);
 }
 
+/// A curve, or a whole file, of which nothing could be read or fitted.
+struct UnfittedCurve {
+  std::string file, reason;
+};
+
+void describe(SameStruct<UnfittedCurve> auto& curve, auto&& visit) {
+  visit(Field{"file", unit::none, "the file, and the curve in it"}, curve.file);
+  visit(Field{"reason", unit::none, "why nothing was fitted"}, curve.reason);
+}
+
 }  // namespace validate

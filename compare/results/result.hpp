@@ -105,14 +105,15 @@ struct Result {
   StrainStates states;
   std::vector<LawForm> law_forms;
 
-  std::vector<FittedCurve> curves;    ///< fit
-  std::vector<FigureResult> figures;  ///< figure
-  int passed = 0, failed = 0;         ///< verify
-  int outside = 0, itself = 0;        ///< verify: rows by the basis of their reference
-  std::vector<VerificationRow> rows;  ///< verify
-  std::vector<CaseOutcome> cases;     ///< batch
-  std::vector<PublishedRow> beside;   ///< published
-  std::vector<Recording> recordings;  ///< curve
+  std::vector<FittedCurve> curves;      ///< fit
+  std::vector<UnfittedCurve> unfitted;  ///< fit
+  std::vector<FigureResult> figures;    ///< figure
+  int passed = 0, failed = 0;           ///< verify
+  int outside = 0, itself = 0;          ///< verify: rows by the basis of their reference
+  std::vector<VerificationRow> rows;    ///< verify
+  std::vector<CaseOutcome> cases;       ///< batch
+  std::vector<PublishedRow> beside;     ///< published
+  std::vector<Recording> recordings;    ///< curve
 
   Provenance provenance;
 
@@ -166,6 +167,7 @@ void describe(SameStruct<Result> auto& r, auto&& visit) {
       break;
     case Command::fit:
       visit(Field{"curves", unit::none, "measured curves and what was found in them"}, r.curves);
+      visit(Field{"unfitted", unit::none, "curves and files of which nothing could be fitted"}, r.unfitted);
       break;
     case Command::potential:
       detail::describe_potential(r, visit);

@@ -7,7 +7,8 @@ namespace validate {
 
 /// By the largest of what a plain membrane lacks at each of these depths, where it is beyond the tolerance: bending, or
 /// the law's softening or hardening; cancellation where one takes away at least half of the other and what is left is
-/// within the tolerance. Without an explanation (or at a depth that it leaves out) by the force ratio: above 1 + tolerance bending, below 1 − tolerance softening.
+/// within the tolerance. Without an explanation (or at a depth that it leaves out) by the force ratio: above 1 +
+/// tolerance bending, below 1 − tolerance softening.
 std::vector<Regime> regimes_of(const Comparison& comparison, const std::vector<bool>& artefact,
                                const Explanation* explanation, double tolerance);
 

@@ -76,6 +76,21 @@ TEST(FitCommand, TakesTheRunsThatAreAskedFor) {
   expect_says(fit("7"), 2, {"--run", "no curve 7", "it has 0, 1"});
 }
 
+TEST(FitCommand, ABadFileAmongSeveralDoesNotStopTheOthers) {
+  const WorkFolder folder;
+  folder.write("noise.csv", "depth_nm,force_nN\n1,x\n");
+  const std::string good = std::string(SOURCE_INPUTS) + "/measured/synthetic-034.csv";
+  const Outcome outcome = run_validate({"fit", "noise.csv", good, "--json", "-"}, folder.path());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  cli_tests::expect_valid(document, "fit");
+  EXPECT_EQ(document["curves"].size(), 1u);
+  ASSERT_EQ(document["unfitted"].size(), 1u);
+  EXPECT_EQ(document["unfitted"][0]["file"], "noise.csv");
+  EXPECT_NE(outcome.err.find("noise.csv"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run_validate({"fit", "noise.csv", "noise.csv"}, folder.path()).exit_code, 2);
+}
+
 TEST(CurveCommand, BadInputIsNamed) {
   const WorkFolder folder;
   folder.write("noise.bin", std::string("\x01\x02\x1b[31m\0\xff", 9));
