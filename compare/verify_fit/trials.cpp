@@ -68,13 +68,13 @@ void add_parameter(Ledger& ledger, const std::string& name, const Tally& tally, 
   const double stated = tally.stated / tally.finite, bias = tally.error / n,
                scatter = std::sqrt(tally.square / n - bias * bias);
   const bool few = n < enough;
-  const double by_chance = chance * scatter / stated / std::sqrt(n);  // but for one in 2000 that is biased by 0.2
+  const double by_chance = few ? chance * scatter / stated / std::sqrt(n) : 0;
   const auto N_per_m = [](double value) { return value * N_per_m_per_eV_per_A2; };
   const std::string note = fmt::format("bias {:.3g}, scatter {:.3g}, stated {:.3g} N/m of {:.3g}; {} curves",
                                        N_per_m(bias), N_per_m(scatter), N_per_m(stated), N_per_m(truth), n);
   ledger.at_most(name + ": bias / stated error", std::abs(bias) / stated,
                  {of_stated + of_value * truth / stated + by_chance,
-                  fmt::format("0.2 + 0.1 % of the value + 3.3 standard errors of the mean of {} curves", n)},
+                  fmt::format("0.2 + 0.1 % of the value{}", few ? " + what chance makes of so few curves" : "")},
                  note);
   ledger.at_most(name + ": intervals without an end", 1 - static_cast<double>(tally.finite) / n,
                  {most_open, "2 %, where the noise is sought"}, note);

@@ -36,9 +36,9 @@ struct Trials {
 Trials try_fits(const KnownCurve& truth, const ForceModel& table, const std::vector<UncertainInput>& inputs,
                 const Experiment& experiment, int curves, std::uint32_t seed);
 
-/// Rows: all are fitted; the bias is not above 0.2 of the stated error + 0.1 % of the value beyond doubt; the intervals
-/// hold the truth in 93 to 97 % of the curves (of fewer than a thousand: what chance makes of 95 % in 99.9 %) and have
-/// two ends.
+/// Rows: all are fitted; the bias is below 0.2 of the stated error + 0.1 % of the value; the intervals hold the truth
+/// in 93 to 97 % of the curves and have two ends. Of fewer than a thousand curves what chance adds to that in 99.9 % is
+/// allowed too.
 void add_rows(Ledger& ledger, const KnownCurve& truth, const Trials& trials);
 
 }  // namespace validate::verify

@@ -46,9 +46,14 @@ TEST(Limits, ADiskThatIsFullForRunH5IsExitCodeSix) {
 }
 
 TEST(Limits, TooFewDescriptorsAreExitCodeSix) {
-  for (const int count : {5, 6, 7, 8}) {  // with four the system cannot load the program's libraries
+  for (const int count : {4, 5, 6, 7, 8}) {
     const WorkFolder folder;
     const Outcome outcome = limited("--nofile=" + std::to_string(count), membrane({"--quiet"}), folder.path());
+    // The system's loader comes before the program, and has an exit code of its own.
+    if (outcome.exit_code == 127 && outcome.err.find("loading shared libraries") != std::string::npos) {
+      EXPECT_EQ(count, 4);
+      continue;
+    }
     EXPECT_TRUE(outcome.exit_code == 6 || outcome.exit_code == 0) << count << ": " << outcome.exit_code << outcome.err;
     EXPECT_TRUE(outcome.exit_code == 6 || count > 5) << count;
   }
