@@ -73,6 +73,8 @@ TEST(FitCommand, TakesTheRunsThatAreAskedFor) {
     if (reading["model"] != "membrane") continue;
     EXPECT_NEAR(reading["Eh_eV_per_A2"].get<double>(), 5, 0.01);
   }
+  for (const char* no_list : {"x", "0,,1", "-1", "1.5"})
+    expect_says(fit(no_list), 2, {"--run", "no list of curves", "0,2,5"});
   expect_says(fit("7"), 2, {"--run", "no curve 7", "it has 0, 1"});
 }
 
