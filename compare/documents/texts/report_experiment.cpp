@@ -63,8 +63,9 @@ std::string heading(const Result& result) {
   return text;
 }
 
-std::string regimes(const Comparison& c) {
-  std::string text = fmt::format("{} (what a plain membrane lacks most of). ", regime_text(c));
+std::string regimes(const Comparison& c, bool explained) {
+  std::string text = fmt::format("{} ({}). ", regime_text(c),
+                                 explained ? "what a plain membrane lacks most of" : "by the force ratio alone");
   if (std::isfinite(c.artefact_from_A))
     text += fmt::format("From {:.3g} Å on the forces are an artefact of the potential. ", c.artefact_from_A);
   if (std::isfinite(c.predicted_artefact_from_A))
@@ -94,7 +95,9 @@ std::string comparisons(const Result& result) {
   std::string text = "<h2>Where continuum and atoms part</h2>\n";
   for (const std::string& one : breaking_sentences(result)) text += "<p>" + html::escaped(one) + "</p>\n";
   for (const Comparison& c : result.comparisons) {
-    text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c));
+    const bool explained =
+        std::ranges::find(result.explanations, c.load, &Explanation::load) != result.explanations.end();
+    text += fmt::format("<h3>{} load</h3>\n<p>{}</p>\n", to_string(c.load), regimes(c, explained));
     Rows rows;
     for (std::size_t i = 0; i < c.depth_A.size(); ++i)
       rows.push_back({number(c.depth_A[i], "{:.3f}"), number(c.depth_relative[i], "{:.4f}"),
