@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 
 namespace validate {
 
@@ -24,7 +25,7 @@ void Progress::say(std::string_view line) {
 
 void Progress::status(std::string_view line) {
   if (quiet_ || !terminal_ || (line.empty() && !shown_)) return;
-  print_remark(fmt::format("\r\033[K{}", line));
+  print_remark(fmt::format("\r\033[K{}", cut_to(line, remark_width() - 1)));  // the last place may begin a new line
   shown_ = !line.empty();
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <stdexcept>
@@ -128,6 +129,16 @@ double parse_quantity(std::string_view text, std::string_view base_unit, std::st
   const auto names = unit_names(quantity);
   throw bad_input("{}: '{}' has the unknown unit '{}'; a {} takes {}{}", label, text, unit_text, quantity.name,
                   fmt::join(names, ", "), did_you_mean(wanted, names));
+}
+
+bool in_laboratory_units(std::string_view text) {
+  double number = 0;
+  const std::string_view rest = trim(text);
+  const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  if (problem != std::errc{}) return false;
+  const std::string unit = plain_spelling(trim(rest.substr(static_cast<std::size_t>(end - rest.data()))));
+  const auto is_it = [&](const Unit& u) { return u.name == unit && (u.name.ends_with('m') || u.name.ends_with('N')); };
+  return unit != "pm" && (std::ranges::any_of(lengths, is_it) || std::ranges::any_of(forces, is_it));
 }
 
 }  // namespace validate

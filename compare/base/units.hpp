@@ -33,4 +33,7 @@ const Quantity& quantity_of(std::string_view base_unit);
 /// ranges refuse them.
 double parse_quantity(std::string_view text, std::string_view base_unit, std::string_view label);
 
+/// Whether a text is a length or a force in units of a laboratory (nm and up, pN and up), not in Å or eV/Å.
+bool in_laboratory_units(std::string_view text);
+
 }  // namespace validate

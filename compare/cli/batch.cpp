@@ -15,6 +15,7 @@
 #include "compare/base/progress.hpp"
 #include "compare/base/standard_streams.hpp"
 #include "compare/base/system_failure.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/documents/bytes/run_h5.hpp"
 #include "compare/documents/bytes/run_h5_read.hpp"
 #include "compare/documents/texts/batch_table.hpp"
@@ -132,7 +133,7 @@ void finish(const Result& result, const RunOptions& options, const fs::path& fol
   record.exit_code = result.exit_code;
   write_record(folder, record);
   if (options.json) write_json(result, options.json->string());
-  if (!options.json || *options.json != "-") print_result(batch_table(result));
+  if (!options.json || *options.json != "-") print_text(batch_table(result, line_width()));
 }
 
 }  // namespace

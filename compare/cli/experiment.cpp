@@ -44,6 +44,7 @@ ReadCase read(const ExperimentCommand& command, const CaseFlags& flags, const Ru
                                       : read_case(inputs_folder() / command.case_file, c);
   flags.apply(c, origins, variant);
   settle_size(c, origins);
+  settle_units(c, flags.texts());
   prefer_potential(c, origins);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
   if (!has_given_constants(c)) {

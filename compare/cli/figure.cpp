@@ -10,7 +10,7 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
-#include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/process/document_folder.hpp"
@@ -54,7 +54,7 @@ int figure(const FigureFlags& flags) {
         entry.make({folder.work(), potentials_for(entry.number, flags), flags.atoms, flags.starts, progress});
     write_paper_figure(made, folder.drafts());
     folder.publish();
-    print_result(numbers_text(made) + "\n");
+    print_text(numbers_text(made) + "\n");
     all_pass = all_pass && std::ranges::all_of(made.numbers, passes);
   }
   const auto code = static_cast<int>(all_pass ? ExitCode::success : ExitCode::disagreement);

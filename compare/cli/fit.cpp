@@ -12,7 +12,7 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/file.hpp"
 #include "compare/base/paths.hpp"
-#include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/fit_flags.hpp"
 #include "compare/documents/fit_files.hpp"
 #include "compare/documents/texts/json.hpp"
@@ -94,7 +94,7 @@ int fit(const FitFlags& flags) {
   }
   if (!flags.json.empty()) write_json(result, flags.json);
   if (flags.json != "-")
-    for (const FittedCurve& curve : result.curves) print_result(measured_text(curve) + "\n");
+    for (const FittedCurve& curve : result.curves) print_text(measured_text(curve) + "\n");
   return 0;
 }
 

@@ -189,6 +189,16 @@ void CaseFlags::apply(Case& c, Origins& origins, const Variant& variant) const {
   });
 }
 
+std::vector<std::string> CaseFlags::texts() const {
+  std::vector<std::string> all;
+  const Case fields;
+  describe(fields, [&](const Field& field, const auto&) {
+    for (const std::string& text : command_.get_option(flag_of(field))->results())
+      for (std::string& part : split_at_commas(text)) all.push_back(std::move(part));
+  });
+  return all;
+}
+
 std::vector<Variant> CaseFlags::variants() const {
   const auto list = [&](const char* flag) -> std::vector<std::optional<std::string>> {
     const CLI::Option& option = *command_.get_option(flag);

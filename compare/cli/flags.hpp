@@ -28,6 +28,9 @@ class CaseFlags {
   /// Throws Error (bad input) that names the flag, the value and what is allowed.
   void apply(Case&, Origins&, const Variant& = {}) const;
 
+  /// The texts of the flags given, as they stand on the command line.
+  std::vector<std::string> texts() const;
+
   /// What --potential and --radius, separated by commas, ask for: every potential with every radius. One empty variant
   /// where neither is a list.
   std::vector<Variant> variants() const;

@@ -14,12 +14,14 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/nearest.hpp"
 #include "compare/base/standard_streams.hpp"
 #include "compare/base/system_failure.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/bulge.hpp"
 #include "compare/cli/curve.hpp"
 #include "compare/cli/figure.hpp"
@@ -110,9 +112,10 @@ std::string extras_message(const CLI::App& app) {
                      validate::did_you_mean(flag, candidates));
 }
 
-int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) {
+int parse_and_run(CLI::App& app, std::vector<std::string> words, const int& exit_code) {
   try {
-    app.parse(argc, argv);
+    std::ranges::reverse(words);  // as the parser wants them
+    app.parse(std::move(words));
     return exit_code;
   } catch (const CLI::ExtrasError&) {
     return fail(ExitCode::bad_input, extras_message(app));
@@ -120,11 +123,29 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const int& exit_code) {
     if (problem.get_exit_code() == 0) {  // --help and --version
       std::ostringstream asked_for;
       app.exit(problem, asked_for, asked_for);
-      validate::print_result(asked_for.str());
+      validate::print_text(asked_for.str());
       return 0;
     }
     return fail(ExitCode::bad_input, problem.what());
   }
+}
+
+/// Every command, and every part of one, can print its tables whole.
+void add_wide(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    command->add_flag_callback("--wide", validate::print_wide,
+                               "tables with all their columns, wider than the terminal");
+    add_wide(*command);
+  }
+}
+
+/// `validate help COMMAND` is `validate COMMAND --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");  // at the end: of the command named, or of the program
+  return words;
 }
 
 int run(int argc, char** argv) {
@@ -132,7 +153,7 @@ int run(int argc, char** argv) {
   CLI::App app("Does a wrinkling hyperelastic membrane predict what the atoms of graphene do?", "validate");
   app.set_version_flag("--version", [] { return validate::version_text(); });
   app.footer(
-      "validate COMMAND --help shows the flags of a command.\n"
+      "validate help COMMAND shows the flags of a command.\n"
       "Example: validate indentation --radius 110\n\n"
       "Exit codes: 0 agreement or nothing to judge, 1 internal error, 2 bad input, 3 disagreement, 4 a "
       "solver did\n"
@@ -143,8 +164,10 @@ int run(int argc, char** argv) {
     validate::print_remark(app.help());
     return static_cast<int>(ExitCode::bad_input);
   }
-  refuse_unknown_command(argv[1]);
-  return parse_and_run(app, argc, argv, exit_code);
+  add_wide(app);
+  const std::vector<std::string> words = words_of(argc, argv);
+  refuse_unknown_command(words.front());
+  return parse_and_run(app, words, exit_code);
 }
 
 }  // namespace

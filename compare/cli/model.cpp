@@ -9,6 +9,7 @@
 #include "compare/base/errors.hpp"
 #include "compare/base/field_value.hpp"
 #include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/base/units.hpp"
 #include "compare/fitting/models/list.hpp"
 
@@ -82,14 +83,14 @@ void add_model(CLI::App& app, int& exit_code) {
     text("--depths", flags->depths, "depths separated by commas; prints a table");
     one->footer(description(form));
     one->callback([&form, flags, &exit_code] {
-      if (flags->depths.empty()) print_result(description(form));
+      if (flags->depths.empty()) print_text(description(form));
       if (!flags->depths.empty()) evaluate(form, *flags);
       exit_code = 0;
     });
   }
   command->callback([command, &exit_code] {
     if (!command->get_subcommands().empty()) return;
-    for (const ClosedForm& form : closed_forms()) print_result(description(form) + "\n");
+    for (const ClosedForm& form : closed_forms()) print_text(description(form) + "\n");
     exit_code = 0;
   });
 }

@@ -11,7 +11,7 @@
 #include "compare/base/file.hpp"
 #include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
-#include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/card_files.hpp"
 #include "compare/documents/texts/json.hpp"
@@ -74,7 +74,7 @@ int potential(const Options& options) {
     folder->finish(0);
   }
   if (options.json) write_json(result, options.json->string());
-  if (!options.json || *options.json != "-") print_result(card_table(result));
+  if (!options.json || *options.json != "-") print_text(card_table(result));
   return 0;
 }
 

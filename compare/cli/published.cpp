@@ -16,6 +16,7 @@
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
 #include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/published_table.hpp"
@@ -91,7 +92,10 @@ int published_command(const PublishedFlags& flags) {
   result.provenance = provenance(command_line());
   const std::string json = json_text(result);
   write_files(flags, result, json);
-  print_result(flags.json == "-" ? json : published_text(result.beside));
+  if (flags.json == "-")
+    print_result(json);
+  else
+    print_text(published_text(result.beside));
   return result.exit_code;
 }
 

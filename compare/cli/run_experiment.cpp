@@ -8,7 +8,7 @@
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
-#include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/atoms_options.hpp"
 #include "compare/cli/plan.hpp"
 #include "compare/documents/experiment_files.hpp"
@@ -28,9 +28,10 @@ std::string folder_name(Command command, const Case& c) {
   return fmt::format("indentation-{}-R{:g}", has_given_constants(c) ? "membrane" : potential, c.radius_A);
 }
 
-/// What decides the numbers of a run: the case, and what the potential's name stands for.
+/// What decides the numbers of a run: the case but for how it is shown, and what the potential's name stands for.
 nlohmann::ordered_json identity_of(const Case& c, const std::optional<PotentialFile>& potential) {
   nlohmann::ordered_json identity = document(c);
+  identity.erase("units");
   if (potential) identity["potential_definition"] = definition_of(*potential);
   return identity;
 }
@@ -77,7 +78,7 @@ int run_experiment(Command command, const Case& c, const RunOptions& options,
   AtomsLaunch launch{.cores = available_cores()};
   if (potential) launch = launch_of(options);
   if (options.dry_run) {
-    print_result(plan_text(c, potential, launch));
+    print_text(plan_text(c, potential, launch));
     return 0;
   }
   catch_interrupts();

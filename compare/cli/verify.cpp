@@ -15,6 +15,7 @@
 #include "compare/base/paths.hpp"
 #include "compare/base/progress.hpp"
 #include "compare/base/standard_streams.hpp"
+#include "compare/base/terminal.hpp"
 #include "compare/cli/flags.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/verify_table.hpp"
@@ -140,7 +141,10 @@ int verify_command(const VerifyFlags& flags) {
   result.provenance = provenance(command_line());
   const std::string json = json_text(result);
   write_files(flags, result, json);
-  print_result(flags.json == "-" ? json : verification_text(result.rows));
+  if (flags.json == "-")
+    print_result(json);
+  else
+    print_text(verification_text(result.rows, line_width()));
   return result.exit_code;
 }
 

@@ -3,20 +3,29 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
+#include <iterator>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 #include "compare/base/file.hpp"
 #include "compare/documents/atoms_files.hpp"
 #include "compare/documents/bytes/run_h5.hpp"
 #include "compare/documents/bytes/vtu.hpp"
 #include "compare/documents/plots/draw.hpp"
+#include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/plots/force_depth.hpp"
 #include "compare/documents/plots/pressed_atoms_plot.hpp"
+#include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/curves_csv.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/report_html.hpp"
+#include "compare/process/atoms.hpp"
 
 namespace validate {
 namespace {
@@ -71,29 +80,63 @@ void figure(const Target& t) {
   tell(write_plot(pressed ? sheet_plot(*pressed) : force_depth_plot(t.result), t.folder, "figure"));
 }
 
+void narrow_figure(const Target& t) {
+  if (!pressed_sheet(t.result))
+    tell(draw(narrow_force_depth_plot(t.result), t.folder, "figure-narrow", {PictureFormat::pdf}));
+}
+
 void pressed_atoms(const Target& t) { tell(write_plot(pressed_atoms_plot(t.result), t.folder, "atoms")); }
+void ratio(const Target& t) { tell(write_plot(ratio_plot(t.result), t.folder, "ratio")); }
+void explained(const Target& t) { tell(write_plot(explanation_plot(t.result), t.folder, "explanation")); }
 void scan(const Target& t) { tell(write_plot(window_scan_plot(t.result), t.folder, "window_scan")); }
 
 /// The page shows the sheets that were written before it.
 void page(const Target& t) { write_report(t.result, t.folder, t.folder / "report.html"); }
 
-/// Numbers first, pictures last. A further document is a function and a line here.
+/// Numbers first. A further document is a function and a line here.
 using Write = void (*)(const Target&);
-constexpr Write documents[] = {run_h5, curves, summary, logs, atoms, sheets, figure, pressed_atoms, scan, page};
+constexpr Write documents[] = {run_h5, curves, summary, logs, atoms, sheets};
+
+/// Each a gnuplot of its own, side by side; the page shows the sheets that were written before it.
+constexpr Write pictures[] = {page, figure, narrow_figure, ratio, scan, explained, pressed_atoms};
+
+/// Keeps the first failure: what one document fails at does not take the others away.
+class Failures {
+ public:
+  void guard(Write write, const Target& target) {
+    try {
+      write(target);
+    } catch (const std::exception&) {
+      const std::lock_guard lock(mutex_);
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr first_;
+};
 
 }  // namespace
 
 void write_experiment(const StudyOutcome& outcome, const fs::path& work, const fs::path& folder) {
   const Target target{outcome, outcome.result, work, folder};
-  std::exception_ptr first_failure;
-  for (const Write write : documents) {
-    try {
-      write(target);
-    } catch (const std::exception&) {
-      if (!first_failure) first_failure = std::current_exception();
-    }
+  Failures failures;
+  for (const Write write : documents) failures.guard(write, target);
+  std::atomic<std::size_t> next = 0;
+  const auto draw_some = [&] {
+    for (std::size_t i = next++; i < std::size(pictures); i = next++) failures.guard(pictures[i], target);
+  };
+  {
+    std::vector<std::jthread> others;
+    const int cores = std::min(available_cores(), static_cast<int>(std::size(pictures)));
+    for (int i = 1; i < cores; ++i) others.emplace_back(draw_some);
+    draw_some();
   }
-  if (first_failure) std::rethrow_exception(first_failure);
+  failures.rethrow();
 }
 
 }  // namespace validate

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compare/base/errors.hpp"
+#include "compare/base/units.hpp"
 
 namespace validate {
 namespace {
@@ -20,6 +21,7 @@ constexpr double smallest_atomistic_tip_A = 1.5;      // just holds the central 
 constexpr double largest_atomistic_radius_A = 3000;   // 10.8 million atoms
 constexpr double largest_pressed_radius_A = 1000;     // under a pressure: 1.5 million atoms in a square
 constexpr double memory_warning_radius_A = 500;       // about 3 GiB for the preconditioner's factor
+constexpr double laboratory_radius_A = 1000;          // a drum
 constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
 
 // Bounds of any sheet: beyond them a unit was mistaken, and the mesh or the solver would say so less clearly.
@@ -268,6 +270,13 @@ Case bulge_defaults() {
   c.pressures_eV_per_A3 = {paper::pressure_eV_per_A3};
   c.cells = 60;
   return c;
+}
+
+void settle_units(Case& c, const std::vector<std::string>& values_given) {
+  if (c.units != Units::automatic) return;
+  const bool asked = std::ranges::any_of(values_given, in_laboratory_units);
+  const bool drum = has_given_constants(c) && c.radius_A >= laboratory_radius_A;
+  c.units = asked || drum ? Units::laboratory : Units::atomic;
 }
 
 void settle_size(Case& c, const Origins& origins) {

@@ -42,6 +42,13 @@ constexpr auto words(Models) {
 enum class Against { sheet, membrane };
 constexpr auto words(Against) { return std::array{Word{Against::sheet, "sheet"}, Word{Against::membrane, "membrane"}}; }
 
+/// In which units people are shown depths and forces: Å and eV/Å, nm and nN, or those in which they asked.
+enum class Units { automatic, atomic, laboratory };
+constexpr auto words(Units) {
+  return std::array{Word{Units::automatic, "auto"}, Word{Units::atomic, "atomic"},
+                    Word{Units::laboratory, "laboratory"}};
+}
+
 /// What the axis goes through.
 enum class Centre { hexagon, atom };
 constexpr auto words(Centre) { return std::array{Word{Centre::hexagon, "hexagon"}, Word{Centre::atom, "atom"}}; }
@@ -60,6 +67,7 @@ struct Case {
   std::vector<double> pressures_eV_per_A3;  ///< levels of the load "pressure", in the order of the path
   double pretension_eV_per_A2 = 0;
   Models models = Models::both;
+  Units units = Units::automatic;  ///< settled by settle_units
 
   // [membrane] constants given by the user: E and nu with the thickness, or none; the thickness alone is what stresses
   // are over
@@ -111,6 +119,8 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"pretension", unit::membrane_force, "isotropic membrane force of the flat sheet", not_negative()},
         c.pretension_eV_per_A2);
   visit(Field{.name = "models", .meaning = "which models to run"}, c.models);
+  visit(Field{.name = "units", .meaning = "of what is shown: Å and eV/Å, nm and nN, or as the flags' values are given"},
+        c.units);
 
   visit(Field{"E", unit::stress, "Young's modulus of a membrane with given constants", positive(), "membrane"}
             .at_top_too(),
@@ -170,6 +180,10 @@ Case bulge_defaults();
 /// Takes the size for the radius where a size is given. A flag wins over a file. Throws Error (bad input) where both
 /// are given in the same way.
 void settle_size(Case&, const Origins&);
+
+/// Takes laboratory units where one of the user's values is in them and for drums (a membrane of given constants of
+/// 0.1 µm or more); else atomic ones.
+void settle_units(Case&, const std::vector<std::string>& values_given);
 
 /// True when E, thickness and nu are given: a membrane alone, without card, atoms or verdict.
 bool has_given_constants(const Case&);

@@ -30,6 +30,15 @@ TEST(Help, OfACommandHasGroupsUnitsRangesDefaultsAndAnExample) {
   }
 }
 
+TEST(Help, IsAlsoACommand) {
+  const WorkFolder folder;
+  EXPECT_EQ(run_validate({"help", "fit"}, folder.path()).out, run_validate({"fit", "--help"}, folder.path()).out);
+  EXPECT_EQ(run_validate({"help"}, folder.path()).out, run_validate({"--help"}, folder.path()).out);
+  const Outcome unknown = run_validate({"help", "fitt"}, folder.path());
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("did you mean 'fit'"), std::string::npos) << unknown.err;
+}
+
 TEST(Help, TakesLessThanFiftyMilliseconds) {
   const WorkFolder folder;
   double best_ms = 1e9;

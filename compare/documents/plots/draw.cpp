@@ -27,7 +27,7 @@ std::optional<std::string> draw(const Plot& plot, const std::filesystem::path& f
   std::vector<Picture> pictures;
   std::string names;
   for (const PictureFormat format : formats) {
-    const std::string file = name + (format == PictureFormat::png ? ".png" : ".svg");
+    const std::string file = name + extension(format);
     names += (names.empty() ? "" : " and ") + file;
     pictures.push_back({format, files.emplace_back(folder / file).path().filename()});  // whatever the folder's name
   }

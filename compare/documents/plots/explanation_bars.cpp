@@ -23,8 +23,7 @@ std::vector<double> sum_of_shares(const Explanation& e) {
   return sums;
 }
 
-std::vector<std::size_t> shown_depths(std::size_t count) {
-  constexpr std::size_t most = 8;
+std::vector<std::size_t> shown_depths(std::size_t count, std::size_t most) {
   std::vector<std::size_t> shown;
   if (count <= most) {
     for (std::size_t i = 0; i < count; ++i) shown.push_back(i);

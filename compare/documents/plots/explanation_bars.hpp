@@ -21,7 +21,7 @@ const std::vector<Share>& shares();
 std::vector<double> sum_of_shares(const Explanation& explanation);
 
 /// At most eight of the depths, evenly spread, the first and the last among them.
-std::vector<std::size_t> shown_depths(std::size_t count);
+std::vector<std::size_t> shown_depths(std::size_t count, std::size_t most = 8);
 
 /// One panel a load: shares in per cent of the plain membrane's force at the shown depths, and the atoms as squares. No
 /// panel where there is nothing to explain.

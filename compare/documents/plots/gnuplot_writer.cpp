@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
 #include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/plots/gnuplot_data.hpp"
+#include "compare/documents/plots/gnuplot_layout.hpp"
 
 namespace validate {
 namespace {
-
-constexpr double title_height = 34;  // of a whole plot's, in SVG units
 
 const char* dash_text(Dash dash) {
   switch (dash) {
@@ -87,12 +87,13 @@ std::string bound(const std::optional<double>& value) { return value ? fmt::form
 
 /// Multiples of powers of ten, the fewer the longer the axis.
 std::string logarithmic_tics(double low, double high) {
-  const std::vector<int> multiples = high / low > 1000 ? std::vector{1}
-                                     : high / low > 10 ? std::vector{1, 2, 5}
-                                                       : std::vector{1, 2, 3, 4, 6, 8};
+  const std::vector<double> multiples = high / low > 1000 ? std::vector<double>{1}
+                                        : high / low > 10 ? std::vector<double>{1, 2, 5}
+                                        : high / low > 4  ? std::vector<double>{1, 2, 3, 4, 6, 8}
+                                                          : std::vector<double>{1, 1.2, 1.5, 2, 3, 4, 5, 6, 7, 8, 9};
   std::string text;
   for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10, power) <= high; ++power)
-    for (const int times : multiples) {
+    for (const double times : multiples) {
       const double at = times * std::pow(10, power);
       fmt::format_to(std::back_inserter(text), "{}'{:g}' {:g}", text.empty() ? "" : ", ", at, at);
     }
@@ -101,8 +102,9 @@ std::string logarithmic_tics(double low, double high) {
 
 /// Some five of them on an axis of this length: 1, 2 or 5 times a power of ten.
 double step_of_tics(double length) {
-  const double step = length / 5, power = std::pow(10, std::floor(std::log10(step)));
-  return step <= 2 * power ? 2 * power : step <= 5 * power ? 5 * power : 10 * power;
+  const double power = std::pow(10, std::floor(std::log10(length / 5)));
+  const std::array steps = {power, 2 * power, 5 * power, 10 * power};
+  return *std::ranges::min_element(steps, {}, [&](double step) { return std::abs(length / step - 5.5); });
 }
 
 /// x of the points, or y.
@@ -116,7 +118,7 @@ DataRange range_of(const Panel& panel, char which) {
   return range;
 }
 
-std::string axis_commands(const Panel& panel, const Axis& axis, char which) {
+std::string axis_commands(const Panel& panel, const Axis& axis, char which, bool few_tics) {
   std::string text = fmt::format("set {}label {}\n", which, gnuplot_quoted(axis_text(axis)));
   std::optional<double> low = axis.low, high = axis.high;
   const DataRange range = range_of(panel, which);
@@ -124,7 +126,7 @@ std::string axis_commands(const Panel& panel, const Axis& axis, char which) {
     low = low.value_or(range.low / 1.15), high = high.value_or(range.high * 1.15);
     text += fmt::format("set logscale {0}\nset {0}tics ({1})\n", which, logarithmic_tics(*low, *high));
   }
-  if (panel.equal_axes && low && high && *high > *low)
+  if (few_tics && !axis.logarithmic && low && high && *high > *low)
     text += fmt::format("set {}tics {:g}\n", which, step_of_tics(*high - *low));
   if (!axis.categories.empty()) {
     low = -0.6, high = static_cast<double>(axis.categories.size()) - 0.4;
@@ -186,21 +188,6 @@ std::string colour_commands(const Panel& panel) {
       low, high > low ? high : low + 1, gnuplot_quoted(panel.scale.label));
 }
 
-/// A map's margins are fixed: gnuplot leaves too little for the labels of its colour bar.
-std::string map_place(const Plot& plot, std::size_t index) {
-  constexpr double left = 84, right = 126, bottom = 76, top = 48;
-  const double title = plot.title.empty() ? 0 : title_height;
-  const int rows = (static_cast<int>(plot.panels.size()) + plot.columns - 1) / plot.columns;
-  const double width = plot.width / static_cast<double>(plot.columns), height = (plot.height - title) / rows;
-  const double x = width * static_cast<double>(index % static_cast<std::size_t>(plot.columns));
-  const double y = plot.height - title - height * static_cast<double>(index / static_cast<std::size_t>(plot.columns));
-  return fmt::format(
-      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-      "set tmargin at screen {:.4f}\n",
-      (x + left) / plot.width, (x + width - right) / plot.width, (y - height + bottom) / plot.height,
-      (y - top) / plot.height);
-}
-
 std::string splot(const Plot& plot, std::size_t p) {
   const Panel& panel = plot.panels[p];
   std::vector<std::string> clauses;
@@ -244,16 +231,29 @@ std::string plot_in_two_dimensions(const Panel& panel, std::size_t p) {
                      legend_commands(panel.legend), fmt::join(clauses, ", \\\n     "));
 }
 
+/// Words in the colour of what they name, with a pale edge so that lines behind do not cross them out.
+std::string words_in_panel(const Panel& panel) {
+  std::string text;
+  for (const TextLabel& label : panel.labels)
+    fmt::format_to(std::back_inserter(text),
+                   "set label {} at first {:.6g},{:.6g} left offset character 0.6,0 tc rgb '{}' font ',10' front\n",
+                   gnuplot_quoted(label.text), label.x, label.y, hex(label.colour));
+  return text;
+}
+
 std::string panel_commands(const Plot& plot, std::size_t index) {
   const Panel& panel = plot.panels[index];
-  std::string title;
+  std::string text = "reset\nset minussign\nset format '%h'\nset tics nomirror out\n";
   if (!panel.title.empty())
-    title = "set title " + gnuplot_quoted(panel.title) +
+    text += "set title " + gnuplot_quoted(panel.title) +
             (plot.panels.size() == 1 && !is_map(panel) ? " font ',14'\n" : "\n");
-  return fmt::format("reset\nset minussign\n{}set tics nomirror out\n{}{}{}{}{}", title,
-                     axis_commands(panel, panel.x, 'x'), axis_commands(panel, panel.y, 'y'),
-                     panel.equal_axes ? "set size ratio -1\n" : "", zones_and_marks(panel),
-                     is_map(panel) ? splot(plot, index) : plot_in_two_dimensions(panel, index));
+  const bool few_tics = panel.equal_axes || !plot.row_shares.empty();
+  text += axis_commands(panel, panel.x, 'x', few_tics) + axis_commands(panel, panel.y, 'y', few_tics);
+  if (shares_axis_below(plot, index)) text += "unset xlabel\nset format x ''\n";
+  if (panel.equal_axes) text += "set size ratio -1\n";
+  text += zones_and_marks(panel) + words_in_panel(panel) + letter(plot, index) + row_place(plot, index);
+  if (index + 1 == plot.panels.size()) text += caption_commands(plot);
+  return text + (is_map(panel) ? splot(plot, index) : plot_in_two_dimensions(panel, index));
 }
 
 std::string commands(const Plot& plot) {
@@ -268,21 +268,37 @@ std::string commands(const Plot& plot) {
   return text + (count > 1 ? "unset multiplot\n" : "");
 }
 
+std::string terminal(const Plot& plot, PictureFormat format) {
+  switch (format) {
+    case PictureFormat::png:
+      return fmt::format("pngcairo size {},{} font 'DejaVu Sans,12' noenhanced fontscale 2 linewidth 2 pointscale 2",
+                         2 * plot.width, 2 * plot.height);
+    case PictureFormat::pdf:  // 0.2 mm a unit: what is 12 units high in the others is 6.8 points
+      return fmt::format(
+          "pdfcairo size {:.3f}cm,{:.3f}cm font 'DejaVu Sans,12' noenhanced fontscale 0.567 linewidth 0.8 "
+          "pointscale 0.567",
+          0.02 * plot.width, 0.02 * plot.height);
+    case PictureFormat::svg:
+      break;
+  }
+  return fmt::format("svg size {},{} font 'DejaVu Sans,12' noenhanced background rgb 'white'", plot.width, plot.height);
+}
+
 }  // namespace
+
+const char* extension(PictureFormat format) {
+  return format == PictureFormat::png ? ".png" : format == PictureFormat::pdf ? ".pdf" : ".svg";
+}
 
 std::string gnuplot_script(const Plot& plot, const std::vector<Picture>& pictures) {
   std::string text = "set encoding utf8\n" + gnuplot_data(plot);
   for (const Picture& picture : pictures) {
-    const bool png = picture.format == PictureFormat::png;
-    const int scale = png ? 2 : 1;
     // Pixels between neighbouring triangles stay pale unless each is drawn a little larger; in an SVG that is a stroke
     // each.
-    text += fmt::format(
-        "set terminal {} size {},{} font 'DejaVu Sans,12' noenhanced {}\nmap_border = '{}'\nset output {}\n{}"
-        "unset output\n",
-        png ? "pngcairo" : "svg", scale * plot.width, scale * plot.height,
-        png ? "fontscale 2 linewidth 2 pointscale 2" : "background rgb 'white'", png ? "border retrace" : "noborder",
-        gnuplot_quoted(picture.file.string()), commands(plot));
+    text += fmt::format("set terminal {}\nmap_border = '{}'\nset output {}\n{}unset output\n",
+                        terminal(plot, picture.format),
+                        picture.format == PictureFormat::png ? "border retrace" : "noborder",
+                        gnuplot_quoted(picture.file.string()), commands(plot));
   }
   return text;
 }

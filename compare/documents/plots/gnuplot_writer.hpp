@@ -9,7 +9,10 @@
 
 namespace validate {
 
-enum class PictureFormat { svg, png };
+enum class PictureFormat { svg, png, pdf };
+
+/// ".svg".
+const char* extension(PictureFormat);
 
 struct Picture {
   PictureFormat format;
@@ -17,7 +20,7 @@ struct Picture {
 };
 
 /// The whole script: the data once, then the same commands for each picture; a PNG has twice as many pixels as an SVG
-/// has units. The same plot and pictures give the same text.
+/// has units, a PDF 0.2 mm for each. The same plot and pictures give the same text.
 std::string gnuplot_script(const Plot& plot, const std::vector<Picture>& pictures);
 
 }  // namespace validate

@@ -15,6 +15,12 @@ namespace validate {
 enum class Dash { solid, dashed, dotted, long_dashed, dash_dotted, long_dash_dotted };
 enum class Marker { circle, square, triangle, diamond };
 
+/// The marker of the n-th of several curves: with its colour, so that they differ in grey too.
+constexpr Marker nth_marker(std::size_t n) {
+  constexpr std::array all = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
+  return all[n % all.size()];
+}
+
 struct Line {
   Dash dash = Dash::solid;
   double width = 1.5;
@@ -86,6 +92,13 @@ struct Mark {
   Colour colour = Colour::black;
 };
 
+/// A word at a place of the panel, in the colour of what it names.
+struct TextLabel {
+  std::string text;
+  double x = 0, y = 0;  ///< in the axes' units
+  Colour colour = Colour::black;
+};
+
 /// How values of maps and of coloured points become colours.
 struct ColourScale {
   std::string label = {};  ///< beside the bar
@@ -108,6 +121,7 @@ struct Panel {
   std::vector<StackedBars> bars = {};
   std::vector<Zone> zones = {};
   std::vector<Mark> marks = {};
+  std::vector<TextLabel> labels = {};  ///< to the right of their places
   std::vector<TriangleMap> maps = {};  ///< the curves are drawn over them
   ColourScale scale = {};
 };
@@ -115,12 +129,19 @@ struct Panel {
 /// Whether the panel is seen from above, with a colour bar.
 bool is_map(const Panel& panel);
 
-/// Panels row by row. Sizes are SVG units; the PNG has twice as many pixels.
+/// Widths of a journal's page, in SVG units of 0.2 mm: both columns, or one.
+inline constexpr int double_column = 900, single_column = 425;
+
+/// Panels row by row, with letters where there are several. Sizes are SVG units; the PNG has twice as many pixels, the
+/// PDF is 0.2 mm a unit.
 struct Plot {
   std::string title = {};
   std::vector<Panel> panels = {};  ///< none: there is nothing to draw
   int columns = 1;
-  int width = 900, height = 640;
+  int width = double_column, height = 640;
+  std::vector<double> row_shares = {};  ///< of the height, one a row: panels one above another share their x axis
+  double right_margin = 20;             ///< beside such panels, for their labels
+  std::string caption = {};             ///< below, broken into lines
 };
 
 }  // namespace validate

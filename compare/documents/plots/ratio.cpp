@@ -49,7 +49,7 @@ std::vector<PlotCurve> curves_of(const Result& result) {
 Plot ratio_plot(const Result& result) {
   Panel panel{.title = {},
               .x = {.label = "depth / effective radius", .unit = {}, .key = "depth_relative", .low = 0},
-              .y = {.label = "force: atoms / continuum", .unit = {}, .key = "force_ratio", .low = 0.7, .high = 1.5},
+              .y = {.label = "force: atoms / continuum", .unit = {}, .key = "force_ratio", .logarithmic = true},
               .legend = Legend::right_top,
               .curves = curves_of(result)};
   if (panel.curves.empty()) return {};

@@ -29,15 +29,15 @@ std::vector<Scanned> scanned(const Result& result) {
   return found;
 }
 
-void add_curve(Panel& panel, const Scanned& of, Colour colour, double depth_factor, const std::vector<double>& values) {
+void add_curve(Panel& panel, const Scanned& of, std::size_t number, double depth_factor,
+               const std::vector<double>& values) {
   const std::string model = of.run->is_atomistic() ? "atoms" : std::string(to_string(of.run->model));
-  PlotCurve curve{
-      .name = fmt::format("{}, {}, {}", model, of.run->load, of.fit->model == "eq16" ? "Eq. 16" : of.fit->model),
-      .x = of.fit->scan.depth_max_A,
-      .y = values,
-      .colour = colour,
-      .line = Line{.dash = of.run->is_atomistic() ? Dash::solid : Dash::dashed},
-      .points = Points{.size = 0.6}};
+  PlotCurve curve{.name = fmt::format("{} read by {}", model, of.fit->model == "eq16" ? "Eq. 16" : of.fit->model),
+                  .x = of.fit->scan.depth_max_A,
+                  .y = values,
+                  .colour = nth_colour(number),
+                  .line = Line{.dash = of.run->is_atomistic() ? Dash::solid : Dash::dashed},
+                  .points = Points{.marker = nth_marker(number), .size = 0.6}};
   for (double& depth : curve.x) depth *= depth_factor;
   for (double& value : curve.y) value *= N_per_m_per_eV_per_A2;
   panel.curves.push_back(std::move(curve));
@@ -60,30 +60,46 @@ void add_known(Panel& panel, std::vector<double> known_eV_per_A2) {
                             .in_legend = false});
 }
 
+std::vector<LoadKind> loads_of(const std::vector<Scanned>& scans) {
+  std::vector<LoadKind> loads;
+  for (const Scanned& of : scans)
+    if (std::ranges::find(loads, of.run->load) == loads.end()) loads.push_back(of.run->load);
+  return loads;
+}
+
+/// E·h, or the pretension, of all scans of a load.
+Panel panel_of(const std::vector<Scanned>& scans, LoadKind load, const Axis& depth, bool modulus) {
+  Panel panel{.x = depth,
+              .y = modulus ? Axis{.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"}
+                           : Axis{.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"}};
+  if (modulus) panel.title = fmt::format("{} load", load);
+  const double factor = depth.unit == "nm" ? 0.1 : 1;
+  std::vector<double> known;
+  for (const Scanned& of : scans) {
+    if (of.run->load != load) continue;
+    const WindowScan& scan = of.fit->scan;
+    add_curve(panel, of, panel.curves.size(), factor, modulus ? scan.Eh_eV_per_A2 : scan.pretension_eV_per_A2);
+    known.push_back(modulus ? of.run->Eh_eV_per_A2 : of.run->pretension_eV_per_A2);
+  }
+  add_known(panel, known);
+  return panel;
+}
+
 }  // namespace
 
 Plot window_scan_plot(const Result& result) {
-  const std::vector<Scanned> runs = scanned(result);
-  if (runs.empty()) return {};
+  const std::vector<Scanned> scans = scanned(result);
+  if (scans.empty()) return {};
   // Depths of drums are read in nm.
-  const bool nm = std::ranges::any_of(runs, [](const Scanned& of) { return of.fit->scan.depth_max_A.back() > 100; });
+  const bool nm = std::ranges::any_of(scans, [](const Scanned& of) { return of.fit->scan.depth_max_A.back() > 100; });
   const Axis depth{
       .label = "largest depth fitted", .unit = nm ? "nm" : "Å", .key = nm ? "depth_max_nm" : "depth_max_A", .low = 0};
-  Panel modulus{
-      .title = {}, .x = depth, .y = {.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"}, .legend = Legend::above};
-  Panel pretension = modulus;
-  pretension.y = {.label = "pretension", .unit = "N/m", .key = "pretension_N_per_m"};
-  std::vector<double> known_modulus, known_pretension;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const WindowScan& scan = runs[i].fit->scan;
-    add_curve(modulus, runs[i], nth_colour(i), nm ? 0.1 : 1, scan.Eh_eV_per_A2);
-    add_curve(pretension, runs[i], nth_colour(i), nm ? 0.1 : 1, scan.pretension_eV_per_A2);
-    known_modulus.push_back(runs[i].run->Eh_eV_per_A2);
-    known_pretension.push_back(runs[i].run->pretension_eV_per_A2);
-  }
-  add_known(modulus, known_modulus);
-  add_known(pretension, known_pretension);
-  return {.panels = {std::move(modulus), std::move(pretension)}, .columns = 2, .width = 900, .height = 420};
+  const std::vector<LoadKind> loads = loads_of(scans);
+  Plot plot{.columns = static_cast<int>(loads.size()), .height = 640, .row_shares = {0.5, 0.5}};
+  for (const bool modulus : {true, false})
+    for (const LoadKind load : loads) plot.panels.push_back(panel_of(scans, load, depth, modulus));
+  plot.panels[loads.size()].legend = Legend::left_top;  // pretensions begin low
+  return plot;
 }
 
 }  // namespace validate

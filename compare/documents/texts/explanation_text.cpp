@@ -20,6 +20,12 @@ std::string line(const std::string& name, const std::vector<double>& values, con
   return text + "\n";
 }
 
+/// Columns of depths beside the names.
+std::size_t depths_in(int width) {
+  constexpr int names = 36, column = 9;
+  return static_cast<std::size_t>(std::clamp((width - names) / column, 2, 8));
+}
+
 /// The comparison's values at the depths of the explanation.
 std::vector<double> at_depths(const std::vector<double>& values, const Comparison& c, const Explanation& e) {
   std::vector<double> picked;
@@ -33,12 +39,12 @@ std::vector<double> at_depths(const std::vector<double>& values, const Compariso
 
 }  // namespace
 
-std::string explanation_text(const Result& result) {
+std::string explanation_text(const Result& result, int width) {
   std::string text;
   for (const Explanation& e : result.explanations) {
     const auto c = std::ranges::find(result.comparisons, e.load, &Comparison::load);
     if (c == result.comparisons.end()) continue;
-    const std::vector<std::size_t> shown = shown_depths(e.depth_A.size());
+    const std::vector<std::size_t> shown = shown_depths(e.depth_A.size(), depths_in(width));
     text += fmt::format("{} load: what a plain membrane lacks, in % of its force, and what is left\n", e.load);
     text += line("depth / a", e.depth_relative, shown, 1, "{:9.3f}");
     for (const Share& share : shares()) text += line(share.name, e.*share.values, shown, 100, "{:+9.2f}");

@@ -9,6 +9,7 @@
 
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/texts/numbers.hpp"
+#include "compare/documents/texts/text_table.hpp"
 
 namespace validate {
 namespace {
@@ -95,22 +96,24 @@ std::string in_words(const PretensionParts& parts, LoadKind load) {
       in_N_per_m(parts.bending), in_N_per_m(parts.rest));
 }
 
-std::string ladder_text(const Result& result) {
-  std::string text;
-  const auto line = [&text](const std::array<std::string, 7>& c) {
-    std::string row =
-        fmt::format("  {:<20}{:>8}  {:>17}{:>11}  {:>19}{:>9}{:>8}", c[0], c[1], c[2], c[3], c[4], c[5], c[6]);
-    text.append(row, 0, row.find_last_not_of(' ') + 1) += '\n';
-  };
-  line({"What each model reads", "E·h", "95 %", "pretension", "95 %", "misfit", "points"});
-  line({"", "N/m", "N/m", "N/m", "N/m", "%", ""});
+std::string ladder_text(const Result& result, int width) {
+  TextTable table({{.heading = "What each model reads", .align = Align::left},
+                   {.heading = "E·h", .unit = "N/m"},
+                   {.heading = "95 %", .unit = "N/m"},
+                   {.heading = "pretension", .unit = "N/m"},
+                   {.heading = "95 %", .unit = "N/m"},
+                   {.heading = "misfit", .unit = "%", .rank = 1},
+                   {.heading = "points", .rank = 2}},
+                  2);
   for (const Run& run : result.runs) {
     if (run.fits.empty()) continue;
-    text += fmt::format("{} ({})\n", curve_in_words(run), truth(run));
-    for (const Fit& fit : run.fits) line(cells(fit));
+    table.add_line(fmt::format("{} ({})", curve_in_words(run), truth(run)));
+    for (const Fit& fit : run.fits) {
+      const auto c = cells(fit);
+      table.add({c.begin(), c.end()});
+    }
   }
-  text += '\n';
-  return text;
+  return table.text(width) + '\n';
 }
 
 std::string ladder_html(const Result& result) {

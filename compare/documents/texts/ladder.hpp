@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/documents/texts/text_table.hpp"
 #include "compare/results/result.hpp"
 
 namespace validate {
@@ -29,7 +30,7 @@ std::optional<PretensionParts> pretension_parts(const Result& result, LoadKind l
 std::string in_words(const PretensionParts& parts, LoadKind load);
 
 /// The ladder of every fitted curve as a table of text.
-std::string ladder_text(const Result& result);
+std::string ladder_text(const Result& result, int width = widest_line);
 
 /// What is to be said of it, a sentence each.
 std::vector<std::string> ladder_sentences(const Result& result);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compare/base/errors.hpp"
+#include "compare/documents/texts/text_table.hpp"
 
 namespace validate {
 namespace {
@@ -31,21 +32,23 @@ std::string basis_text(const std::vector<VerificationRow>& rows) {
       rows.size(), result.outside, result.itself);
 }
 
-std::string verification_text(const std::vector<VerificationRow>& rows) {
-  std::size_t widest_case = 4, widest_quantity = 8;
-  for (const VerificationRow& row : rows) {
-    widest_case = std::max(widest_case, row.name.size());
-    widest_quantity = std::max(widest_quantity, row.quantity.size());
-  }
-  std::string text =
-      fmt::format("{:4} {:9} {:{}} {:{}} {:>15}    {:>15} {:>8} {:>8}  {}\n", "", "group", "case", widest_case,
-                  "quantity", widest_quantity, "computed", "reference", "error", "allowed", "origin");
+std::string verification_text(const std::vector<VerificationRow>& rows, int width) {
+  TextTable table({{.heading = "", .align = Align::left},
+                   {.heading = "group", .align = Align::left, .rank = 3},
+                   {.heading = "case", .align = Align::left},
+                   {.heading = "quantity", .align = Align::left},
+                   {.heading = "computed"},
+                   {.heading = ""},
+                   {.heading = "reference"},
+                   {.heading = "error", .rank = 1},
+                   {.heading = "allowed", .rank = 2},
+                   {.heading = "origin", .align = Align::left, .rank = 4}});
   for (const VerificationRow& row : rows)
-    text += fmt::format("{:4} {:9} {:{}} {:{}} {:>15.9g} {:>2} {:>15.9g} {:>8} {:>8}  {}{}\n", row.pass ? "ok" : "FAIL",
-                        row.group, row.name, widest_case, row.quantity, widest_quantity, row.computed, row.relation,
-                        row.reference, of_equals(row, row.relative_error), of_equals(row, row.tolerance), row.origin,
-                        row.note.empty() ? "" : " (" + row.note + ")");
-  return text + basis_text(rows);
+    table.add({row.pass ? "ok" : "FAIL", row.group, row.name, row.quantity, fmt::format("{:.9g}", row.computed),
+               fmt::format("{}", row.relation), fmt::format("{:.9g}", row.reference),
+               of_equals(row, row.relative_error), of_equals(row, row.tolerance),
+               row.origin + (row.note.empty() ? "" : " (" + row.note + ")")});
+  return table.text(width) + basis_text(rows);
 }
 
 std::string verification_csv(const std::vector<VerificationRow>& rows) {

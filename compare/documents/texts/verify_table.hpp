@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "compare/documents/texts/text_table.hpp"
 #include "compare/results/result.hpp"
 
 namespace validate {
 
 /// One line a row: verdict, case, quantity, computed, reference, relative error, tolerance, origin. Below, how many
-/// rows rest on what.
-std::string verification_text(const std::vector<VerificationRow>& rows);
+/// rows rest on what. Columns are left out where `width` is too small.
+std::string verification_text(const std::vector<VerificationRow>& rows, int width = widest_line);
 
 /// Header group,name,quantity,ours,relation,published,source,basis,relative_error,tolerance,pass,note; texts in
 /// quotes.

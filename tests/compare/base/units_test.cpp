@@ -128,6 +128,14 @@ TEST(Units, RangesHaveOpenAndClosedEnds) {
   expect_refusal([&] { in_range(closed, 1.01, "--x"); }, {">= 0 and <= 1"});
 }
 
+TEST(Units, LaboratoryUnitsAreToldFromAtomicOnes) {
+  for (const char* text : {"11 nm", "0.5um", "0.5 µm", "1 mm", "100 nN", "3 pN", "1 N"})
+    EXPECT_TRUE(in_laboratory_units(text)) << text;
+  for (const char* text :
+       {"110", "110 A", "110 Å", "4 eV/A", "142 pm", "0.34 N/m", "1 TPa", "nm", "", "disc", "5 feet"})
+    EXPECT_FALSE(in_laboratory_units(text)) << text;
+}
+
 TEST(Units, ABaseUnitThatIsNeverReadIsAProgrammingError) { EXPECT_THROW(quantity_of(unit::second), std::logic_error); }
 
 }  // namespace

@@ -45,6 +45,7 @@ forces = [1, "1.602176634 nN", 2.5]
 pressures = ["160.2176634 GPa", 0.5]
 pretension = "16.02176634 mN/m"
 models = "membrane"
+units = "laboratory"
 [membrane]
 E = "160.2176634 GPa"
 thickness = "0.335 nm"
@@ -89,6 +90,7 @@ regime-tolerance = 0.05
   EXPECT_EQ(c.pressures_eV_per_A3[1], 0.5);
   EXPECT_DOUBLE_EQ(c.pretension_eV_per_A2, 0.001);
   EXPECT_EQ(c.models, Models::membrane);
+  EXPECT_EQ(c.units, Units::laboratory);
   EXPECT_DOUBLE_EQ(c.E_eV_per_A3.value(), 1);
   EXPECT_DOUBLE_EQ(c.thickness_A.value(), 3.35);
   EXPECT_EQ(c.nu.value(), -0.158);
@@ -119,7 +121,7 @@ regime-tolerance = 0.05
   });
   EXPECT_EQ(static_cast<int>(origins_.size()), fields);
   EXPECT_EQ(origins_.at("radius"), (folder_.path() / "case.toml").string() + ":3: radius");
-  EXPECT_EQ(origins_.at("nu"), (folder_.path() / "case.toml").string() + ":18: nu");
+  EXPECT_EQ(origins_.at("nu"), (folder_.path() / "case.toml").string() + ":19: nu");
 }
 
 TEST_F(CaseFile, KeepsWhatItDoesNotGive) {

@@ -62,6 +62,23 @@ TEST(DepthLevels, HaveNoDuplicateAtAMultiple) {
   EXPECT_EQ(depth_levels(c), (std::vector<double>{2}));
 }
 
+TEST(Units, AreThoseOfTheValuesGivenAndNanometresForDrums) {
+  const auto settled = [](Case c, const std::vector<std::string>& given) {
+    settle_units(c, given);
+    return c.units;
+  };
+  EXPECT_EQ(settled(Case{}, {}), Units::atomic);
+  EXPECT_EQ(settled(Case{}, {"60", "airebo"}), Units::atomic);
+  EXPECT_EQ(settled(Case{}, {"disc", "6 nm"}), Units::laboratory);
+  Case drum;
+  drum.potential.clear();
+  drum.models = Models::membrane;
+  drum.E_eV_per_A3 = drum.thickness_A = 1, drum.nu = 0.2, drum.radius_A = 5000;
+  EXPECT_EQ(settled(drum, {}), Units::laboratory);
+  drum.units = Units::atomic;  // as the user says
+  EXPECT_EQ(settled(drum, {"1 um"}), Units::atomic);
+}
+
 TEST(Check, AcceptsTheDefaultsSilently) { EXPECT_TRUE(check(Case{}).empty()); }
 
 TEST(Check, SmallSheetsOfAtoms) {

@@ -67,12 +67,13 @@ TEST(Draw, MakesPicturesAndTheirDataAndNothingElse) {
   const TemporaryFolder folder;
   const auto warning = write_figure(sample::full(), folder.path());
   EXPECT_FALSE(warning) << *warning;
-  EXPECT_EQ(folder.entries(), 3u);
+  EXPECT_EQ(folder.entries(), 4u);
   const std::string png = folder.read("figure.png"), svg = folder.read("figure.svg");
+  EXPECT_EQ(folder.read("figure.pdf").substr(0, 5), "%PDF-");
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
-  EXPECT_EQ(png_size(png), (std::array{1800u, 1280u}));
-  for (const char* text : {"<svg", "force (eV/Å)", "depth (Å)", "airebo, R = 110 Å", "atoms, disc",
-                           "membrane, point, paper constants", "Eq. 16, card constants", "artefact zone, point"}) {
+  EXPECT_EQ(png_size(png), (std::array{1800u, 1360u}));
+  for (const char* text : {"<svg", "force (eV/Å)", "depth (Å)", "airebo, R = 110 Å", "disc load",
+                           "membrane, paper constants", "Eq. 16, card constants", "artefact zone", "AGREEMENT"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
 }
@@ -91,7 +92,7 @@ TEST(Draw, DrawsEveryKindOfResult) {
   for (const Result& result : {sample::membrane_only(), sample::atoms_failed(), Result{}}) {
     const TemporaryFolder folder;
     EXPECT_NO_THROW(write_figure(result, folder.path()));
-    EXPECT_EQ(folder.entries(), 3u);
+    EXPECT_EQ(folder.entries(), 4u);
   }
 }
 
@@ -102,7 +103,7 @@ TEST(Draw, DrawsAZoneWithoutASinglePointOutsideIt) {
   torn.runs[0].converged.assign(torn.runs[0].depth_A.size(), false);
   const TemporaryFolder folder;
   EXPECT_NO_THROW(write_figure(torn, folder.path()));
-  EXPECT_EQ(folder.entries(), 3u);
+  EXPECT_EQ(folder.entries(), 4u);
 }
 
 TEST(Draw, SurvivesQuotesInNames) {
@@ -168,9 +169,9 @@ TEST(Draw, MakesTheOnePictureAskedFor) {
 TEST(Draw, TheDataMayHaveANameOfTheirOwn) {
   const TemporaryFolder folder;
   write_plot(force_depth_plot(sample::membrane_only()), folder.path(), "atoms", "atoms-figure");
-  for (const char* name : {"atoms.svg", "atoms.png", "atoms-figure.csv"})
+  for (const char* name : {"atoms.svg", "atoms.png", "atoms.pdf", "atoms-figure.csv"})
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
-  EXPECT_EQ(folder.entries(), 3u);
+  EXPECT_EQ(folder.entries(), 4u);
 }
 
 TEST(Draw, WhatTheUserHasSetUpChangesNothing) {
