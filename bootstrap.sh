@@ -43,8 +43,8 @@ usage() {
 usage: ./bootstrap.sh [--tests] [--ci] [--with-kim] [--no-install] [--list] [--help]
 
   --tests       build the tests too, for: ctest --preset default
-  --ci          install what .ci/run and .ci/nightly need too (clang, clang-format, clang-tidy), make every warning an
-                error, and build the tests
+  --ci          install what .ci/run and .ci/nightly need too (chromium, clang, clang-format, clang-tidy), make every
+                warning an error, and build the tests
   --with-kim    install the OpenKIM models too (openkim-models): more potentials, and their tests
   --no-install  do not install packages; stop with the list of what is missing
   --list        print the Debian packages, one per line, and stop
@@ -61,7 +61,7 @@ targets='validate validate-atoms'
 for argument in "$@"; do
   case "$argument" in
     --tests) targets=all ;;
-    --ci) targets=all preset=ci packages="$packages clang clang-format clang-tidy" ;;
+    --ci) targets=all preset=ci packages="$packages chromium clang clang-format clang-tidy" ;;
     --with-kim) packages="$packages openkim-models" ;;
     --no-install) install=no ;;
     --list) printf '%s\n' $packages; exit 0 ;;

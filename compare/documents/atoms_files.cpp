@@ -48,6 +48,23 @@ void write_lammps_log(const fs::path& work, const fs::path& folder) {
   write_file(folder / "lammps.log", all);
 }
 
+std::optional<AtomsTrajectory> trajectory_of(const std::string& load, const atomistic::Sheet& sheet,
+                                             const fs::path& work) {
+  AtomsTrajectory t{.load = load,
+                    .atoms = static_cast<std::size_t>(sheet.atoms()),
+                    .free_atoms = static_cast<std::size_t>(sheet.free_atoms)};
+  const auto add = [&t](double depth_A, double force_eV_per_A, const Eigen::VectorXd& positions) {
+    t.depth_A.push_back(depth_A), t.force_eV_per_A.push_back(force_eV_per_A);
+    t.positions_A.insert(t.positions_A.end(), positions.begin(), positions.end());
+  };
+  add(0, 0, sheet.positions);
+  for (const atomistic::Step& step : atomistic::read_finished_steps(work / load / "steps"))
+    if (!step.search && !step.unloading && !step.broken && step.positions.size() == sheet.positions.size())
+      add(step.depth_A, step.force_eV_per_A, step.positions);
+  if (t.depth_A.size() < 2) return std::nullopt;
+  return t;
+}
+
 void write_deepest_sheet(const atomistic::Potential& potential, const std::string& load, const atomistic::Sheet& sheet,
                          const fs::path& work, const fs::path& folder) {
   const std::optional<atomistic::Step> step = atomistic::read_deepest_step(work / load / "steps");

@@ -38,7 +38,14 @@ struct Target {
   const fs::path &work, &folder;
 };
 
-void run_h5(const Target& t) { write_run_h5(t.result, t.folder / "run.h5"); }
+void run_h5(const Target& t) {
+  std::vector<AtomsTrajectory> trajectories;
+  if (t.outcome.sheet)
+    for (const LoadKind load : t.result.resolved.loads)
+      if (auto one = trajectory_of(std::string(to_string(load)), *t.outcome.sheet, t.work))
+        trajectories.push_back(std::move(*one));
+  write_run_h5(t.result, t.folder / "run.h5", trajectories);
+}
 void curves(const Target& t) { write_curves(t.result, t.folder); }
 void summary(const Target& t) { write_file(t.folder / "summary.json", json_text(t.result)); }
 

@@ -75,15 +75,31 @@ SheetPicture picture_of(const membrane::Problem& problem, const membrane::Step& 
   return picture;
 }
 
+SheetShape shape_of(const SheetPicture& picture) {
+  const auto single = [](const std::vector<double>& values) {
+    return std::vector<float>(values.begin(), values.end());
+  };
+  return {.depth_A = total(picture.totals, "depth_A"),
+          .force_eV_per_A = total(picture.totals, "force_eV_per_A"),
+          .displacement_A = single(picture.displacement),
+          .cauchy_1_eV_per_A3 = single(column(picture.triangles, "cauchy_1_eV_per_A3")),
+          .state = single(column(picture.triangles, "state"))};
+}
+
 void SheetAlbum::keep(const membrane::Step& step) {
-  if (!step.converged) return;
-  if (!every_level_) steps_.clear();
-  steps_.push_back(step);
+  if (step.converged) steps_.push_back(step);
 }
 
 std::vector<SheetPicture> SheetAlbum::pictures() const {
   std::vector<SheetPicture> pictures;
-  for (const membrane::Step& step : steps_) pictures.push_back(picture_of(problem_, step, thickness_A_));
+  std::vector<SheetShape> earlier;
+  for (const membrane::Step& step : steps_) {
+    pictures.push_back(picture_of(problem_, step, thickness_A_));
+    if (every_level_ || &step == &steps_.back()) continue;
+    earlier.push_back(shape_of(pictures.back()));
+    pictures.clear();
+  }
+  if (!pictures.empty()) pictures.back().earlier = std::move(earlier);
   return pictures;
 }
 

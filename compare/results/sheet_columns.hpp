@@ -23,6 +23,14 @@ struct SheetTotal {
   double value = 0;
 };
 
+/// What is seen of a sheet at one depth: of the same mesh as the picture that it belongs to.
+struct SheetShape {
+  double depth_A = 0, force_eV_per_A = 0;
+  std::vector<float> displacement_A;      ///< three a node
+  std::vector<float> cauchy_1_eV_per_A3;  ///< one a triangle: larger principal stress
+  std::vector<float> state;               ///< 0 taut, 1 wrinkled, 2 slack
+};
+
 /// A solved sheet ready to be written: the meshed part only (one quarter where the sheet is symmetric),
 /// totals of the full sheet.
 struct SheetPicture {
@@ -32,12 +40,16 @@ struct SheetPicture {
   std::vector<double> displacement;  ///< Å, three a node
   double level = 0;                  ///< what the step was asked for
   double thickness_A = 0;            ///< that stresses are over
+  std::vector<SheetShape> earlier;   ///< of the path, where its other depths are no pictures of their own
 };
 
 /// Columns and totals of a step. Stresses need the thickness that they are over (Å).
 SheetPicture picture_of(const membrane::Problem& problem, const membrane::Step& step, double thickness_A);
 
-/// Pictures of the converged steps of one path: of the last one only, or of all.
+/// The picture's own shape.
+SheetShape shape_of(const SheetPicture& picture);
+
+/// Pictures of the converged steps of one path: of all, or of the last one, with the shapes before it.
 class SheetAlbum {
  public:
   SheetAlbum(const membrane::Problem& problem, double thickness_A, bool every_level)

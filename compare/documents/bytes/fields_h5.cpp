@@ -1,5 +1,8 @@
 #include "compare/documents/bytes/fields_h5.hpp"
 
+#include <array>
+#include <cstddef>
+
 #include "compare/base/errors.hpp"
 
 namespace validate {
@@ -13,6 +16,29 @@ void describe_set(h5::Object set, const std::string& unit, const std::string& me
 
 void write_columns(h5::Group& group, const std::vector<SheetColumn>& columns) {
   for (const SheetColumn& c : columns) describe_set(group.data_set(c.key, c.values), c.unit, c.meaning, c.components);
+}
+
+/// Shapes as blocks: depth by depth, then node or triangle.
+void write_earlier(h5::Group& group, const SheetPicture& picture) {
+  std::vector<double> depth, force;
+  std::vector<float> displacement, stress, state;
+  const auto append = [](std::vector<float>& all, const std::vector<float>& one) {
+    all.insert(all.end(), one.begin(), one.end());
+  };
+  for (const SheetShape& shape : picture.earlier) {
+    depth.push_back(shape.depth_A), force.push_back(shape.force_eV_per_A);
+    append(displacement, shape.displacement_A);
+    append(stress, shape.cauchy_1_eV_per_A3);
+    append(state, shape.state);
+  }
+  const std::size_t levels = depth.size(), nodes = picture.mesh.nodes.size(), triangles = picture.mesh.triangles.size();
+  describe_set(group.data_set("depth_A", depth), "Å", "depth of record", 1);
+  describe_set(group.data_set("force_eV_per_A", force), "eV/Å", "force of the tip on the sheet", 1);
+  describe_set(group.data_set("displacement_A", displacement, std::array{levels, nodes, std::size_t{3}}), "Å",
+               "displacement from the flat sheet", 3);
+  describe_set(group.data_set("cauchy_1_eV_per_A3", stress, std::array{levels, triangles}), "eV/Å³",
+               "larger principal Cauchy stress", 1);
+  describe_set(group.data_set("state", state, std::array{levels, triangles}), "", "0 taut, 1 wrinkled, 2 slack", 1);
 }
 
 }  // namespace
@@ -33,6 +59,9 @@ void write_fields(h5::Group& parent, const std::string& name, const SheetPicture
   write_columns(of_nodes, picture.nodes);
   h5::Group of_triangles = group.group("at_triangles");
   write_columns(of_triangles, picture.triangles);
+  if (picture.earlier.empty()) return;
+  h5::Group earlier = group.group("earlier");
+  write_earlier(earlier, picture);
 }
 
 namespace {
@@ -72,6 +101,27 @@ membrane::Mesh read_mesh(const h5::ReadGroup& group) {
   return mesh;
 }
 
+/// Shapes of the picture's mesh, of which each block has a row a depth.
+std::vector<SheetShape> read_earlier(const h5::ReadGroup& group, const SheetPicture& picture) {
+  const std::vector<double> depth = group.column("depth_A"), force = group.column("force_eV_per_A");
+  if (force.size() != depth.size()) refuse("depths and forces of shapes differ in number");
+  const auto rows = [&](const char* name, std::size_t width) {
+    std::vector<float> values = group.block(name).values;
+    if (values.size() != depth.size() * width) refuse(std::string(name) + " of shapes has another length");
+    return [values = std::move(values), width](std::size_t i) {
+      const auto start = values.begin() + static_cast<std::ptrdiff_t>(i * width);
+      return std::vector<float>(start, start + static_cast<std::ptrdiff_t>(width));
+    };
+  };
+  const auto displacement = rows("displacement_A", 3 * picture.mesh.nodes.size());
+  const auto stress = rows("cauchy_1_eV_per_A3", picture.mesh.triangles.size());
+  const auto state = rows("state", picture.mesh.triangles.size());
+  std::vector<SheetShape> shapes;
+  for (std::size_t i = 0; i < depth.size(); ++i)
+    shapes.push_back({depth[i], force[i], displacement(i), stress(i), state(i)});
+  return shapes;
+}
+
 }  // namespace
 
 SheetPicture read_fields(const h5::ReadGroup& group) {
@@ -89,6 +139,7 @@ SheetPicture read_fields(const h5::ReadGroup& group) {
     else if (name != "copies")
       picture.totals.push_back({name, {}, {}, group.number(name)});
   }
+  if (const auto earlier = group.group("earlier")) picture.earlier = read_earlier(*earlier, picture);
   return picture;
 }
 

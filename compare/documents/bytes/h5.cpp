@@ -37,10 +37,12 @@ void check(herr_t status, std::string_view what) {
   if (status < 0) fail(what);
 }
 
-Handle list_space(std::size_t size) {
-  const hsize_t length = size;
-  return checked(H5Screate_simple(1, &length, nullptr), H5Sclose, "data space");
+Handle block_space(std::span<const std::size_t> shape) {
+  const std::vector<hsize_t> lengths(shape.begin(), shape.end());
+  return checked(H5Screate_simple(static_cast<int>(lengths.size()), lengths.data(), nullptr), H5Sclose, "data space");
 }
+
+Handle list_space(std::size_t size) { return block_space({&size, 1}); }
 
 Handle scalar_space() { return checked(H5Screate(H5S_SCALAR), H5Sclose, "data space"); }
 
@@ -67,9 +69,8 @@ void write_attribute(hid_t object, std::string_view name, hid_t type, const Hand
   if (data) check(H5Awrite(attribute.get(), type, data), name);  // an empty list has no address
 }
 
-Handle write_data_set(hid_t group, std::string_view name, hid_t type, std::size_t size, const void* data) {
+Handle write_data_set(hid_t group, std::string_view name, hid_t type, const Handle& space, const void* data) {
   const std::string owned(name);
-  const Handle space = list_space(size);
   Handle set = checked(H5Dcreate2(group, owned.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                        H5Dclose, name);
   if (data) check(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), name);
@@ -116,6 +117,9 @@ void Object::attribute(std::string_view name, std::string_view value) {
 void Object::attribute(std::string_view name, std::span<const double> values) {
   write_attribute(handle_.get(), name, H5T_NATIVE_DOUBLE, list_space(values.size()), values.data());
 }
+void Object::attribute(std::string_view name, std::span<const int> values) {
+  write_attribute(handle_.get(), name, H5T_NATIVE_INT, list_space(values.size()), values.data());
+}
 void Object::attribute(std::string_view name, std::span<const std::string> values) {
   std::vector<const char*> texts;
   for (const std::string& value : values) texts.push_back(value.c_str());
@@ -130,20 +134,24 @@ Group Group::group(std::string_view name) {
 }
 
 Object Group::data_set(std::string_view name, std::span<const double> values) {
-  return Object(write_data_set(handle_.get(), name, H5T_NATIVE_DOUBLE, values.size(), values.data()));
+  return Object(write_data_set(handle_.get(), name, H5T_NATIVE_DOUBLE, list_space(values.size()), values.data()));
 }
 Object Group::data_set(std::string_view name, std::span<const int> values) {
-  return Object(write_data_set(handle_.get(), name, H5T_NATIVE_INT, values.size(), values.data()));
+  return Object(write_data_set(handle_.get(), name, H5T_NATIVE_INT, list_space(values.size()), values.data()));
 }
 Object Group::data_set(std::string_view name, const std::vector<bool>& values) {
   const std::vector<std::int8_t> bytes(values.begin(), values.end());
-  return Object(write_data_set(handle_.get(), name, bool_type().get(), bytes.size(), bytes.data()));
+  return Object(write_data_set(handle_.get(), name, bool_type().get(), list_space(bytes.size()), bytes.data()));
+}
+
+Object Group::data_set(std::string_view name, std::span<const float> values, std::span<const std::size_t> shape) {
+  return Object(write_data_set(handle_.get(), name, H5T_NATIVE_FLOAT, block_space(shape), values.data()));
 }
 
 Object Group::data_set(std::string_view name, std::span<const std::string> values) {
   std::vector<const char*> texts;
   for (const std::string& value : values) texts.push_back(value.c_str());
-  return Object(write_data_set(handle_.get(), name, text_type().get(), texts.size(), texts.data()));
+  return Object(write_data_set(handle_.get(), name, text_type().get(), list_space(texts.size()), texts.data()));
 }
 
 File::File() : file_(create_file()), root_(checked(H5Gopen2(file_.get(), "/", H5P_DEFAULT), H5Gclose, "root group")) {}

@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,7 @@ class Object {
   void attribute(std::string_view name, std::string_view value);
   void attribute(std::string_view name, const char* value) { attribute(name, std::string_view(value)); }
   void attribute(std::string_view name, std::span<const double> values);
+  void attribute(std::string_view name, std::span<const int> values);
   void attribute(std::string_view name, std::span<const std::string> values);
 
  protected:
@@ -64,6 +66,9 @@ class Group : public Object {
   Object data_set(std::string_view name, std::span<const int> values);
   Object data_set(std::string_view name, const std::vector<bool>& values);
   Object data_set(std::string_view name, std::span<const std::string> values);
+
+  /// Of single precision and several dimensions, the last one the fastest; their product is the number of values.
+  Object data_set(std::string_view name, std::span<const float> values, std::span<const std::size_t> shape);
 };
 
 /// A new file, in memory alone: the library goes on with a file that it could not write as if it had, and ends the

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -42,16 +43,17 @@ struct Source {
   Handle type() const {
     return {checked(attribute ? H5Aget_type(handle.get()) : H5Dget_type(handle.get()), name), H5Tclose};
   }
-  std::size_t size() const {
+  std::size_t size(bool of_one_dimension = true) const {
     const Handle extent = space();
     const hssize_t values = H5Sget_simple_extent_npoints(extent.get());
-    if (H5Sget_simple_extent_ndims(extent.get()) > 1) cannot_read(name + ": more than one dimension");
+    if (of_one_dimension && H5Sget_simple_extent_ndims(extent.get()) > 1)
+      cannot_read(name + ": more than one dimension");
     if (values < 0) cannot_read(name + ": how many values");
     return static_cast<std::size_t>(values);
   }
   /// To be called once, before memory is taken for them.
-  std::size_t taken() const {
-    const std::size_t values = size();
+  std::size_t taken(bool of_one_dimension = true) const {
+    const std::size_t values = size(of_one_dimension);
     take(*file, values, name);
     return values;
   }
@@ -177,6 +179,19 @@ std::vector<std::string> ReadGroup::texts(const std::string& attribute) const {
 std::vector<double> ReadGroup::column(const std::string& name) const {
   const auto source = data_set_of(*file_, group_.get(), name);
   return source ? numbers_of(*source) : std::vector<double>{};
+}
+
+NumberBlock ReadGroup::block(const std::string& name) const {
+  const auto source = data_set_of(*file_, group_.get(), name);
+  if (!source) return {};
+  const H5T_class_t kind = H5Tget_class(source->type().get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) cannot_read(name + ": not a number");
+  const Handle extent = source->space();
+  std::vector<hsize_t> lengths(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(extent.get()))));
+  H5Sget_simple_extent_dims(extent.get(), lengths.data(), nullptr);
+  NumberBlock block{{lengths.begin(), lengths.end()}, std::vector<float>(source->taken(false))};
+  if (!block.values.empty()) source->read(H5T_NATIVE_FLOAT, block.values.data());
+  return block;
 }
 
 std::vector<std::string> ReadGroup::text_column(const std::string& name) const {

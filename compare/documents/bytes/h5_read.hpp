@@ -27,9 +27,15 @@ struct NumberSet {
   int components = 1;
 };
 
+/// Numbers of several dimensions, the last one the fastest.
+struct NumberBlock {
+  std::vector<std::size_t> shape;
+  std::vector<float> values;
+};
+
 /// A group opened for reading. Names that are not there are no error where the answer says so; anything else throws
 /// Error (file failed): a link that is not to an object of this file, another class than asked for, texts of fixed
-/// length, more than one dimension, more values than the file can hold.
+/// length, more than one dimension but for blocks, more values than the file can hold.
 class ReadGroup {
  public:
   ReadGroup(std::shared_ptr<OpenFile> file, Handle group) : file_(std::move(file)), group_(std::move(group)) {}
@@ -47,6 +53,7 @@ class ReadGroup {
   std::vector<double> column(const std::string& name) const;
   std::vector<std::string> text_column(const std::string& name) const;
   NumberSet number_set(const std::string& name) const;
+  NumberBlock block(const std::string& name) const;
   std::vector<std::string> data_set_names() const;  ///< and of groups
 
   /// What is of one kind, in the order of creation where the file keeps it, else of the alphabet.

@@ -9,6 +9,7 @@
 #include "compare/base/walk.hpp"
 #include "compare/documents/bytes/fields_h5.hpp"
 #include "compare/documents/bytes/h5.hpp"
+#include "compare/documents/bytes/trajectory_h5.hpp"
 
 namespace validate {
 namespace {
@@ -119,10 +120,12 @@ void write_group(h5::Group& parent, std::string_view name, const Struct& s) {
 
 }  // namespace
 
-void write_run_h5(const Result& result, const std::filesystem::path& target) {
+void write_run_h5(const Result& result, const std::filesystem::path& target,
+                  const std::vector<AtomsTrajectory>& trajectories) {
   h5::File file;
   file.root().attribute("meaning", "the keys are those of the command's JSON document");
   describe_with_twins(result, AddTo(file.root()));
+  write_trajectories(file.root(), trajectories, result.provenance.version);
   write_file(target, file.image());
 }
 

@@ -10,8 +10,8 @@
 #include "compare/documents/texts/breaking_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
-#include "compare/documents/texts/pressed_table.hpp"
 #include "compare/documents/texts/regime_text.hpp"
+#include "compare/documents/texts/report_tables.hpp"
 
 namespace validate {
 namespace {
@@ -177,14 +177,20 @@ std::string quality(const Result& result) {
   return text;
 }
 
+/// Whether anything but a pressure acted, or nothing at all.
+bool is_indented(const Result& result) {
+  return result.runs.empty() ||
+         std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
+}
+
 }  // namespace
 
-std::string experiment_summary(const Result& result) {
-  const std::string pressed = pressed_table(result);
-  const bool indented = result.runs.empty() ||
-                        std::ranges::any_of(result.runs, [](const Run& run) { return run.load != LoadKind::pressure; });
-  return heading(result) + (indented ? verdict(result) + ladder_html(result) : std::string()) +
-         (pressed.empty() ? pressed : html::preformatted(pressed));
+std::string experiment_verdict(const Result& result) {
+  return heading(result) + (is_indented(result) ? verdict(result) : std::string());
+}
+
+std::string experiment_tables(const Result& result) {
+  return (is_indented(result) ? ladder_html(result) : std::string()) + pressed_tables(result);
 }
 
 std::string experiment_details(const Result& result) { return comparisons(result) + fits(result) + quality(result); }

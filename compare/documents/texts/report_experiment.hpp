@@ -7,8 +7,11 @@
 
 namespace validate {
 
-/// Heading, verdict, E·h and pretension as true and as read, table of the pressures.
-std::string experiment_summary(const Result& result);
+/// Heading and verdict.
+std::string experiment_verdict(const Result& result);
+
+/// E·h and pretension as true and as read, table of the pressures.
+std::string experiment_tables(const Result& result);
 
 /// Regimes and ratios, fits with intervals and warnings, convergence per depth.
 std::string experiment_details(const Result& result);

@@ -9,6 +9,9 @@
 #include "compare/base/read_file.hpp"
 #include "compare/base/temporary_folder.hpp"
 #include "compare/documents/bytes/extxyz.hpp"
+#include "compare/documents/bytes/trajectory_h5.hpp"
+#include "compare/documents/page/plot_json.hpp"
+#include "compare/documents/page/sheets_json.hpp"
 #include "compare/documents/plots/draw.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/plots/force_depth.hpp"
@@ -114,6 +117,15 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
   return all;
 }
 
+/// The sheets in the place of the first picture of one; a figure of their own where there is none.
+void add_sheets(std::vector<ReportFigure>& figures, std::string sheets) {
+  if (sheets.empty()) return;
+  auto place = std::ranges::find(figures, true, &ReportFigure::png);
+  if (place == figures.end())
+    place = figures.insert(figures.begin() + !figures.empty(), {.title = "the sheet", .caption = ""});
+  place->sheets = std::move(sheets);
+}
+
 std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::path& run_folder) {
   const TemporaryFolder scratch("validate-report");
   std::vector<ReportFigure> figures;
@@ -122,10 +134,11 @@ std::vector<ReportFigure> draw_all(const Result& result, const std::filesystem::
     const std::string name = fmt::format("figure{}", figures.size());
     draw(drawing.plot, scratch.path(), name, {drawing.figure.png ? PictureFormat::png : PictureFormat::svg});
     const auto file = scratch.path() / (name + (drawing.figure.png ? ".png" : ".svg"));
-    if (!std::filesystem::exists(file)) continue;
-    drawing.figure.content = read_file(file);
-    figures.push_back(std::move(drawing.figure));
+    if (std::filesystem::exists(file)) drawing.figure.content = read_file(file);
+    if (is_chart(drawing.plot)) drawing.figure.chart = plot_json(drawing.plot);
+    if (!drawing.figure.content.empty() || !drawing.figure.chart.empty()) figures.push_back(std::move(drawing.figure));
   }
+  if (result.is_experiment()) add_sheets(figures, sheets_json(result, read_trajectories(run_folder / "run.h5")));
   return figures;
 }
 

@@ -6,29 +6,51 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/documents/bytes/html.hpp"
-#include "compare/documents/texts/batch_table.hpp"
-#include "compare/documents/texts/card_files.hpp"
+#include "compare/documents/page/page.hpp"
 #include "compare/documents/texts/json.hpp"
-#include "compare/documents/texts/measured_report.hpp"
-#include "compare/documents/texts/published_table.hpp"
 #include "compare/documents/texts/report_experiment.hpp"
+#include "compare/documents/texts/report_tables.hpp"
 
 namespace validate {
 namespace {
 
+constexpr const char* not_drawn =
+    "<p class=\"static soft\">Not drawn: gnuplot is not installed; a browser with JavaScript draws it.</p>";
+
 std::string drawing(const ReportFigure& figure, std::size_t index) {
-  return figure.png ? html::inline_png(figure.content, figure.title)
-                    : html::inline_svg(figure.content, fmt::format("f{}-", index), figure.title);
+  if (figure.content.empty()) return not_drawn;
+  return "<div class=\"static\">" +
+         (figure.png ? html::inline_png(figure.content, figure.title)
+                     : html::inline_svg(figure.content, fmt::format("f{}-", index), figure.title)) +
+         "</div>";
 }
 
-std::string figures_html(const std::vector<ReportFigure>& figures) {
-  if (figures.empty())
-    return "<p class=\"soft\">No figures: gnuplot is not installed; the data are in curves.csv.</p>\n";
+/// What is said of the sheets where they can be turned.
+constexpr const char* caption_of_sheets =
+    "<span class=\"live\">The sheet in three dimensions: drag, or use the arrow keys, to turn both; the slider goes "
+    "through the computed depths. Positions are rounded to 0.004 Å. </span>";
+
+std::string figure_html(const ReportFigure& figure, std::size_t index) {
+  return fmt::format("<figure{}{}>\n{}\n<figcaption>{}{}</figcaption>\n</figure>\n",
+                     figure.chart.empty() ? "" : fmt::format(" data-chart=\"{}\"", index),
+                     figure.sheets.empty() ? "" : " data-sheets", drawing(figure, index),
+                     figure.sheets.empty() ? "" : caption_of_sheets, html::escaped(figure.caption));
+}
+
+std::string figures_html(const std::vector<ReportFigure>& figures, std::size_t from = 0) {
   std::string text;
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    text += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", drawing(figures[i], i),
-                        html::escaped(figures[i].caption));
+  for (std::size_t i = from; i < figures.size(); ++i) text += figure_html(figures[i], i);
   return text;
+}
+
+/// What the script draws: charts by the figure's number, and the sheets.
+std::string data_of(const std::vector<ReportFigure>& figures) {
+  std::string charts, sheets = "null";
+  for (const ReportFigure& figure : figures) {
+    charts += (charts.empty() ? "" : ",") + (figure.chart.empty() ? std::string("null") : figure.chart);
+    if (!figure.sheets.empty()) sheets = figure.sheets;
+  }
+  return fmt::format("{{\"charts\":[{}],\"sheets\":{}}}", charts, sheets);
 }
 
 std::string provenance(const Result& result) {
@@ -57,29 +79,6 @@ std::string provenance(const Result& result) {
   return text;
 }
 
-/// What the terminal shows of a command that is no experiment.
-std::string shown_on_terminal(const Result& result) {
-  std::string text;
-  switch (result.command) {
-    case Command::fit:
-      for (const FittedCurve& curve : result.curves) text += measured_text(curve) + "\n";
-      return text;
-    case Command::potential:
-      return card_table(result);
-    case Command::batch:
-      return batch_table(result);
-    case Command::indentation:
-    case Command::bulge:
-    case Command::published:
-      return published_text(result.beside);
-    case Command::curve:
-    case Command::figure:
-    case Command::verify:
-      return {};
-  }
-  return {};
-}
-
 /// The cases' own pages, beside the batch's.
 std::string links(const Result& batch) {
   std::string text;
@@ -92,14 +91,17 @@ std::string links(const Result& batch) {
 }  // namespace
 
 std::string report_html(const Result& result, const std::vector<ReportFigure>& figures) {
-  if (result.is_experiment())
-    return html::page(
-        fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A),
-        experiment_summary(result) + figures_html(figures) + experiment_details(result) + provenance(result));
-  return html::page(fmt::format("validate {}", result.command),
-                    fmt::format("<h1>validate {}</h1>\n", result.command) +
-                        html::preformatted(shown_on_terminal(result)) + links(result) +
-                        (figures.empty() ? std::string() : figures_html(figures)) + provenance(result));
+  if (!result.is_experiment())
+    return page(fmt::format("validate {}", result.command),
+                fmt::format("<h1>validate {}</h1>\n", result.command) + tables_of(result) + links(result) +
+                    figures_html(figures) + provenance(result),
+                data_of(figures));
+  const std::string first = figures.empty() ? "<p class=\"soft\">No figures; the data are in curves.csv.</p>\n"
+                                            : figure_html(figures.front(), 0);
+  return page(fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A),
+              experiment_verdict(result) + first + experiment_tables(result) + figures_html(figures, 1) +
+                  experiment_details(result) + provenance(result),
+              data_of(figures));
 }
 
 }  // namespace validate

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/documents/bytes/html.hpp"
+#include "compare/documents/page/plot_json.hpp"
 #include "tests/compare/results/complete_result.hpp"
 #include "tests/compare/results/sample_result.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -52,19 +53,44 @@ TEST(Report, SaysWhatWasFound) {
   EXPECT_NE(report_html(failing, {}).find("<b>Disagreement</b>"), std::string::npos);
 }
 
+/// How often a text is in another.
+std::size_t count_of(const std::string& words, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + words.size())) ++count;
+  return count;
+}
+
 TEST(Report, AsksForNothingFromOutside) {
   const TemporaryFolder folder;
   write_report(sample::full(), folder.path(), folder / "report.html");
   const std::string page = folder.read("report.html");
-  for (const char* words :
-       {"<script", "<link", "src=\"http", "src='", "@import", "url(http", "href=\"http", "href='http", "<iframe"})
+  for (const char* words : {"<link", "src=\"http", "src='", "@import", "url(http", "href=\"http", "href='http",
+                            "<iframe", "fetch(", "import("})
     EXPECT_EQ(page.find(words), std::string::npos) << words;
+  EXPECT_EQ(count_of("<script", page), 2u) << "the data and the page's own";
+  EXPECT_NE(page.find("default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-"),
+            std::string::npos);
 }
 
-TEST(Report, CommandLinesAreTextNotMarkup) {
-  Result result = sample::membrane_only();
-  result.provenance.command_line = "validate --out '<script>alert(1)</script>'";
-  EXPECT_EQ(report_html(result, {}).find("<script"), std::string::npos);
+TEST(Report, NamesAndCommandLinesAreTextNotMarkup) {
+  const std::string hostile = "</script><script>alert(1)</script><!--<img src=x onerror=alert(1)>\xff";
+  Result result = sample::full();
+  result.provenance.command_line = result.resolved.potential = hostile;
+  Plot plot{.title = hostile,
+            .panels = {Panel{.title = hostile, .curves = {{.name = hostile, .x = {0, 1}, .y = {0, 1}}}}}};
+  const std::string page =
+      report_html(result, {{.title = hostile, .caption = hostile, .content = "<svg></svg>", .chart = plot_json(plot)}});
+  EXPECT_EQ(count_of("<script", page), 2u);
+  EXPECT_EQ(count_of("</script", page), 2u);
+  EXPECT_EQ(count_of("<img src=x", page), 0u);
+  EXPECT_EQ(count_of("<!--", page), 0u) << "it would hide the end of a script";
+  EXPECT_NE(page.find("\\u003c/script>\\u003cscript>alert(1)"), std::string::npos) << "the data hold the name";
+}
+
+TEST(Report, FiguresThatAreNotDrawnAreDrawnByTheScript) {
+  const std::string page = report_html(sample::full(), {{.title = "t", .caption = "c", .chart = "{}"}});
+  EXPECT_NE(page.find("gnuplot is not installed"), std::string::npos);
+  EXPECT_NE(page.find("<figure data-chart=\"0\">"), std::string::npos);
 }
 
 TEST(Report, IsMadeOfIncompleteResultsToo) {

@@ -1,0 +1,185 @@
+#include "compare/documents/texts/report_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "compare/documents/bytes/html.hpp"
+#include "compare/documents/texts/card_files.hpp"
+#include "compare/documents/texts/ladder.hpp"
+#include "compare/documents/texts/measured_report.hpp"
+#include "compare/documents/texts/numbers.hpp"
+
+namespace validate {
+namespace {
+
+using Row = std::vector<std::string>;
+using Rows = std::vector<Row>;
+
+std::string in_N_per_m_text(double eV_per_A2, const char* format) { return number(in_N_per_m(eV_per_A2), format); }
+
+std::string interval(const std::array<double, 2>& ends, const char* format) {
+  return in_N_per_m_text(ends[0], format) + " … " + in_N_per_m_text(ends[1], format);
+}
+
+std::string heading(int level, const std::string& text) {
+  return fmt::format("<h{0}>{1}</h{0}>\n", level, html::escaped(text));
+}
+
+std::string folded(const std::string& name, const std::string& text) {
+  return "<details><summary>" + name + "</summary>\n" + html::preformatted(text) + "</details>\n";
+}
+
+std::string fit_table(const FittedCurve& curve) {
+  Rows rows;
+  for (const Fit& fit : curve.fits)
+    rows.push_back({model_in_words(fit.model) + (fit.recommended ? " *" : ""),
+                    in_N_per_m_text(fit.Eh_eV_per_A2, "{:.1f}"), interval(fit.Eh_interval_eV_per_A2, "{:.1f}"),
+                    in_N_per_m_text(fit.pretension_eV_per_A2, "{:.3f}"),
+                    interval(fit.pretension_interval_eV_per_A2, "{:.3f}"), number(100 * fit.rms_relative, "{:.2f}"),
+                    number(fit.chi2_per_dof, "{:.2f}"), fmt::format("{}", fit.points)});
+  return heading(2, curve.file) +
+         html::table({"model", "E·h (N/m)", "95 %", "pretension (N/m)", "95 %", "misfit (%)", "χ²/ν", "points"}, rows) +
+         folded("in words", measured_text(curve));
+}
+
+std::string fits(const Result& result) {
+  std::string text;
+  for (const FittedCurve& curve : result.curves) text += fit_table(curve);
+  Rows rows;
+  for (const UnfittedCurve& curve : result.unfitted) rows.push_back({curve.file, curve.reason});
+  if (!rows.empty()) text += heading(2, "Not fitted") + html::table({"curve", "why"}, rows, {0, 1});
+  return text + "<p class=\"soft\">* the fit to quote.</p>\n";
+}
+
+std::string card(const Result& result) {
+  const CardSummary& c = *result.card;
+  Rows constants = {{"lattice constant", number(c.a0_A, "{:.6f}"), "Å"},
+                    {"energy per atom", number(c.energy_per_atom_eV, "{:.5f}"), "eV"}};
+  for (const auto& [name, value] : {std::pair{"C11", c.C11_eV_per_A2},
+                                    {"C12", c.C12_eV_per_A2},
+                                    {"C66", c.C66_eV_per_A2},
+                                    {"sheet modulus E·h", c.Eh_eV_per_A2}})
+    constants.push_back({name, in_N_per_m_text(value, "{:.2f}"), "N/m"});
+  constants.push_back({"Poisson's ratio", number(c.nu, "{:.4f}"), ""});
+  constants.push_back({"bending modulus", number(c.bending_modulus_eV, "{:.4f}"), "eV"});
+  Rows curves;
+  for (const StressCurve& s : result.stress_curves)
+    curves.push_back({s.direction, in_N_per_m_text(s.secant_2_eV_per_A2, "{:.1f}"),
+                      in_N_per_m_text(s.secant_5_eV_per_A2, "{:.1f}"), in_N_per_m_text(s.secant_10_eV_per_A2, "{:.1f}"),
+                      in_N_per_m_text(s.strength_eV_per_A2, "{:.1f}") + (s.strength_is_artefact ? " (cut-off's)" : ""),
+                      number(100 * s.strain_at_strength, "{:.1f}")});
+  return heading(2, result.potential.name) + html::table({"of the flat sheet", "value", "unit"}, constants, {2}) +
+         html::table({"direction", "secant at 2 % (N/m)", "at 5 %", "at 10 %", "strength (N/m)", "at strain (%)"},
+                     curves) +
+         folded("in words", card_table(result));
+}
+
+Row batch_row(const CaseOutcome& one, const Run& run) {
+  const Result& r = *one.summary;
+  const Fit *fit = closed_form_fit(run.fits), *quoted = recommended_fit(run.fits);
+  const bool judged = r.agreement && r.agreement->load == run.load;
+  const auto of = [](const Fit* f, double Fit::*value, double Fit::*error, int digits) {
+    return f ? with_error_N_per_m(f->*value, f->*error, digits) : std::string("-");
+  };
+  return {std::filesystem::path(one.potential).stem().string(),
+          fmt::format("{:g}", one.radius_A),
+          r.card ? in_N_per_m_text(r.card->Eh_eV_per_A2, "{:.1f}") : "-",
+          std::string(to_string(run.load)),
+          of(fit, &Fit::Eh_eV_per_A2, &Fit::Eh_stderr_eV_per_A2, 1),
+          of(quoted, &Fit::Eh_eV_per_A2, &Fit::Eh_stderr_eV_per_A2, 1),
+          of(fit, &Fit::pretension_eV_per_A2, &Fit::pretension_stderr_eV_per_A2, 3),
+          of(quoted, &Fit::pretension_eV_per_A2, &Fit::pretension_stderr_eV_per_A2, 3),
+          judged ? number(100 * r.agreement->max_relative_difference, "{:.2f}") : "-",
+          judged ? std::string(to_string(r.agreement->outcome)) : ""};
+}
+
+std::string batch(const Result& result) {
+  Rows rows;
+  for (const CaseOutcome& one : result.cases) {
+    if (!one.summary) {
+      rows.push_back({one.potential, fmt::format("{:g}", one.radius_A), "-", "-", "-", "-", "-", "-", "-",
+                      fmt::format("failed, exit code {}", one.exit_code)});
+      continue;
+    }
+    const bool atoms = std::ranges::any_of(one.summary->runs, &Run::is_atomistic);
+    for (const Run& run : one.summary->runs)
+      if (run.is_atomistic() || !atoms) rows.push_back(batch_row(one, run));
+  }
+  return html::table({"potential", "R (Å)", "card (N/m)", "load", "Eq. 16 E·h (N/m)", "quoted E·h (N/m)",
+                      "Eq. 16 pretension (N/m)", "quoted pretension (N/m)", "largest difference (%)", "verdict"},
+                     rows, {3, 9});
+}
+
+std::string published(const Result& result) {
+  Rows rows;
+  for (const PublishedRow& row : result.beside) {
+    const auto relative = difference(row), z = z_score(row);
+    rows.push_back({row.name, row.of, number(row.ours, "{:.6g}"),
+                    (row.relation == Relation::equal ? "" : fmt::format("{} ", row.relation)) +
+                        number(row.published, "{:.6g}") +
+                        (row.uncertainty ? fmt::format(" ± {:.4g}", *row.uncertainty) : ""),
+                    row.unit, relative ? number(100 * *relative, "{:+.2f}") : "-", z ? number(*z, "{:+.1f}") : "-",
+                    row.comparable ? "yes" : "no: " + row.reason, row.source + "; " + row.conditions});
+  }
+  return html::table(
+      {"published number", "of", "ours", "published", "unit", "difference (%)", "z", "comparable", "source"}, rows,
+      {1, 4, 7, 8});
+}
+
+std::string verification(const Result& result) {
+  Rows rows;
+  for (const VerificationRow& row : result.rows)
+    rows.push_back({row.group, row.name, row.quantity, number(row.computed, "{:.8g}"),
+                    std::string(to_string(row.relation)), number(row.reference, "{:.8g}"),
+                    number(row.relative_error, "{:.1e}"), number(row.tolerance, "{:.1e}"),
+                    row.pass ? "passed" : "FAILED", row.origin});
+  return fmt::format("<p>{} passed, {} failed.</p>\n", result.passed, result.failed) +
+         html::table({"group", "case", "quantity", "computed", "", "reference", "error", "tolerance", "outcome",
+                      "reference from"},
+                     rows, {1, 2, 9});
+}
+
+std::string paper_figures(const Result& result) {
+  std::string text;
+  for (const FigureResult& figure : result.figures) {
+    Rows rows;
+    for (const FigureNumber& n : figure.numbers)
+      rows.push_back({n.what, number(n.ours, "{:.6g}"), number(n.reference, "{:.6g}"), n.unit,
+                      n.tolerance > 0 ? number(100 * n.tolerance, "{:g}") : "-",
+                      n.source + (n.comment.empty() ? "" : "; " + n.comment)});
+    text += heading(2, fmt::format("Figure {}: {}", figure.number, figure.title)) +
+            html::table({"number", "ours", "reference", "unit", "tolerance (%)", "source"}, rows, {3, 5});
+    for (const std::string& remark : figure.remarks) text += "<p>" + html::escaped(remark) + "</p>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string tables_of(const Result& result) {
+  switch (result.command) {
+    case Command::fit:
+      return fits(result);
+    case Command::potential:
+      return card(result);
+    case Command::batch:
+      return batch(result);
+    case Command::published:
+      return published(result);
+    case Command::verify:
+      return verification(result);
+    case Command::figure:
+      return paper_figures(result);
+    case Command::indentation:
+    case Command::bulge:
+    case Command::curve:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace validate
