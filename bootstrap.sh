@@ -20,6 +20,7 @@ libfmt-dev
 libgsl-dev
 libgtest-dev
 libhdf5-dev
+libhypre-dev
 liblapack-dev
 liblammps-dev
 libopenblas0-serial
@@ -80,6 +81,7 @@ Install these by your system's own means, then run: cmake --preset release && cm
   LAMMPS as a shared library with MPI, packages MANYBODY and KSPACE, and its potential files
   Open MPI or another MPI with mpiexec
   Eigen 3.4, SuiteSparse (CHOLMOD), OpenBLAS, GSL 2.7, HDF5 (C library), libzip
+  hypre with MPI, if sheets of more than 100000 atoms are to be computed in a reasonable time
   OpenSSL (libcrypto), CLI11, toml++ 3, fmt, spdlog, nlohmann-json; for the tests GoogleTest, valijson and h5py
   gnuplot with pngcairo and the DejaVu fonts
 TXT

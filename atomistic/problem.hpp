@@ -89,6 +89,9 @@ struct Guide {
   std::vector<double> outward_A, depth_A;
 };
 
+/// How the metric of the minimisation is inverted. Automatic: by the number of free atoms.
+enum class Preconditioning { automatic, factor, multigrid };
+
 struct Problem {
   Potential potential;
   Card card;
@@ -107,6 +110,7 @@ struct Problem {
   double ripple_A = 0;         ///< root mean square of the ripple that every level starts from, beside its prediction
   unsigned ripple_seed = 0;    ///< of the first level; the next ones count on
   bool virials = false;        ///< hand out each step's virials
+  Preconditioning preconditioning = Preconditioning::automatic;
 };
 
 /// Positions and forces are 3N vectors, atom by atom; free atoms first (see Sheet).
@@ -126,7 +130,8 @@ struct Step {
   double force_error_relative = 0;  ///< gᵀP⁻¹g / (F d): estimated error of the tip force
   double longest_bond_A = 0;
   int evaluations = 0;     ///< force computations since this level was asked for
-  int factorisations = 0;  ///< of the preconditioner, for this level
+  int factorisations = 0;  ///< of the preconditioner, or set-ups of its multigrid, for this level
+  int solves = 0;          ///< with the preconditioner: with its factor, or multigrid cycles
   Eigen::VectorXd positions, forces;
   Eigen::VectorXd factorised_at;  ///< positions of the factor in use when the level was finished
   Eigen::VectorXd virials;        ///< 6N where asked for, else empty: xx, yy, zz, xy, xz, yz of each atom's, eV
@@ -148,7 +153,8 @@ struct Report {
   std::optional<ContactCheck> contact;  ///< for a sphere
   int relaxation_evaluations = 0;       ///< of the flat sheet, where it is not built in equilibrium
   long force_calls = 0;
-  double force_s = 0;  ///< pair, neighbour and communication time inside LAMMPS
+  double force_s = 0;                                         ///< pair, neighbour and communication time inside LAMMPS
+  Preconditioning preconditioning = Preconditioning::factor;  ///< that was used
   double factor_s = 0, solve_s = 0, setup_s = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "atomistic/equilibrium/newton_krylov.hpp"
 #include "atomistic/lattice/ripple.hpp"
 #include "atomistic/loads/sphere_load.hpp"
+#include "atomistic/protocol/preconditioning.hpp"
 
 namespace atomistic {
 
@@ -41,6 +42,10 @@ bool controls_depth(const Problem& problem) {
   return problem.control == Control::conjugate_depth && !std::holds_alternative<PressureLoad>(problem.load);
 }
 
+Preconditioning kind_for(const Problem& problem, const Sheet& sheet) {
+  return preconditioning_for(problem.preconditioning, sheet.free_atoms);
+}
+
 double mean_depth(const std::vector<int>& atoms, const VectorXd& x) {
   double sum = 0;
   for (int atom : atoms) sum -= x[3 * atom + 2];
@@ -55,7 +60,7 @@ Path::Path(const Problem& problem, const Sheet& sheet, ForceField& forces, const
       force_field_(forces),
       callbacks_(callbacks),
       load_(make_load(problem, sheet)),
-      preconditioner_(sheet, spring_constants(problem.card)),
+      preconditioner_(kind_for(problem, sheet), sheet, spring_constants(problem.card)),
       reference_(sheet.positions),
       positions_(sheet.positions),
       break_(problem.potential.artefact_bond_A, controls_depth(problem)) {
@@ -78,6 +83,7 @@ Report Path::follow(const std::vector<Step>& finished) {
   report_.force_calls = force_field_.timing().calls;
   report_.force_s = force_field_.timing().force_s;
   report_.setup_s += force_field_.timing().setup_s;
+  report_.preconditioning = kind_for(problem_, sheet_);
   report_.factor_s = preconditioner_.factor_s();
   report_.solve_s = preconditioner_.solve_s();
   return report_;
@@ -147,7 +153,7 @@ void Path::remember(const Step& step) {
   const double t = load_->parameter(step.target);
   const bool kept = step.converged && !step.broken;
   if (!step.unloading) break_.take(step);
-  if (kept) {
+  if (kept && step.positions.size() > 0) {
     std::erase_if(states_, [&](const PathState& s) { return std::abs(s.t - t) < 1e-9 * t; });  // the path came back
     states_.push_back({t, (step.positions - reference_).head(free_dofs()), guide(step.target)});
   }
@@ -263,6 +269,7 @@ MinimiserReport Path::minimise_level(int number, const Target& target) {
 
 Step Path::run_level(int number, const Target& target) {
   factorisations_ = 0;
+  const int solves_before = preconditioner_.solves();
   fresh_ = true;
   predict(number, target.level);
   const MinimiserReport result = minimise_level(number, target);
@@ -289,6 +296,7 @@ Step Path::run_level(int number, const Target& target) {
   step.broken = !step.unloading && break_.broken(step);
   step.evaluations = result.evaluations;
   step.factorisations = factorisations_;
+  step.solves = preconditioner_.solves() - solves_before;
   if (!result.converged && !step.search) report_.reason = result.reason;
   return step;
 }

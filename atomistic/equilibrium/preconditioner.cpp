@@ -26,7 +26,7 @@ void Preconditioner::factorise(const Eigen::VectorXd& positions, LoadTerm* load)
   const Eigen::VectorXd x = positions.head(3 * sheet_.free_atoms);
   {
     const Timed timed(factor_s_);
-    network_.factorise(positions, load ? load->stiffness(x) : std::vector<AtomStiffness>());
+    network_->set_up(positions, load ? load->stiffness(x) : std::vector<AtomStiffness>());
   }
   constraint_response_.resize(0);
   response_ = load ? load->given_back(x) : Eigen::VectorXd();
@@ -38,7 +38,8 @@ void Preconditioner::factorise(const Eigen::VectorXd& positions, LoadTerm* load)
 
 Eigen::VectorXd Preconditioner::network_solve(const Eigen::VectorXd& r) const {
   const Timed timed(solve_s_);
-  return network_.solve(r);
+  ++solves_;
+  return network_->solve(r);
 }
 
 const Eigen::VectorXd& Preconditioner::constraint_response(const Eigen::VectorXd& c) {

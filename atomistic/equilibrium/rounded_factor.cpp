@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 namespace atomistic {
 namespace {
@@ -34,15 +37,16 @@ WIDEST_VECTORS double dot(const float* l, const double* w, long n) {
 /// One supernode: columns first … first + columns, and the rows that they reach, themselves first; column-major values.
 struct Supernode {
   long first, columns, rows;
-  const int* row;
+  const RoundedFactor::Index* row;
   long values;
 };
 
 Supernode supernode(const cholmod_factor& L, std::size_t k) {
-  const auto* super = static_cast<const int*>(L.super);
-  const auto* pi = static_cast<const int*>(L.pi);
-  const auto* px = static_cast<const int*>(L.px);
-  return {super[k], super[k + 1] - super[k], pi[k + 1] - pi[k], static_cast<const int*>(L.s) + pi[k], px[k]};
+  using Index = RoundedFactor::Index;
+  const auto* super = static_cast<const Index*>(L.super);
+  const auto* pi = static_cast<const Index*>(L.pi);
+  const auto* px = static_cast<const Index*>(L.px);
+  return {super[k], super[k + 1] - super[k], pi[k + 1] - pi[k], static_cast<const Index*>(L.s) + pi[k], px[k]};
 }
 
 /// Doubles become floats in the same memory, front to back, so that none is overwritten before it is read. CHOLMOD
@@ -63,12 +67,25 @@ RoundedFactor::RoundedFactor() {
   cholmod().nmethods = 1;
   cholmod().method[0].ordering = CHOLMOD_METIS;
   cholmod().postorder = 1;
+  cholmod().print = 0;  // what it says is in its status
 }
 
-void RoundedFactor::analyse(const Eigen::SparseMatrix<double>& lower) { analyzePattern(lower); }
+/// Eigen tells a matrix that is not positive definite, which is an answer, from nothing else.
+void RoundedFactor::require_success() {
+  const int status = cholmod().status;
+  if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (status == CHOLMOD_TOO_LARGE) throw std::runtime_error("the matrix is too large for CHOLMOD");
+  if (status < CHOLMOD_OK) throw std::runtime_error("CHOLMOD has failed with status " + std::to_string(status));
+}
 
-bool RoundedFactor::factorise(const Eigen::SparseMatrix<double>& lower) {
+void RoundedFactor::analyse(const Matrix& lower) {
+  analyzePattern(lower);
+  require_success();
+}
+
+bool RoundedFactor::factorise(const Matrix& lower) {
   factorize(lower);
+  require_success();
   if (info() != Eigen::Success) return false;
   const cholmod_factor& L = *m_cholmodFactor;
   round_in_place(L.x, L.xsize);
@@ -118,7 +135,7 @@ void RoundedFactor::backward(double* x) const {
 }
 
 Eigen::VectorXd RoundedFactor::solve(const Eigen::VectorXd& right_hand_side) const {
-  const auto* order = static_cast<const int*>(m_cholmodFactor->Perm);
+  const auto* order = static_cast<const Index*>(m_cholmodFactor->Perm);
   Eigen::VectorXd x(right_hand_side.size()), solution(right_hand_side.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = right_hand_side[order[i]];
   forward(x.data());

@@ -12,21 +12,27 @@ namespace atomistic {
 /// whatever the rounding, and solve() applies its inverse in double precision: as a preconditioner it differs from A by
 /// 1e-7 of A's entries at random, which smooth soft modes average out. A solve reads the whole factor twice, so that
 /// its time is that of the memory: half of it saved. The single numbers take the place of the double ones.
-class RoundedFactor : private Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> {
-  using Base = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
-
+/// Indices have 64 bits: a sheet of two million atoms has more numbers in its factor than 32 can count.
+class RoundedFactor
+    : private Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>,
+                                          Eigen::Lower> {
  public:
+  using Index = SuiteSparse_long;
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+
   /// Orders by nested dissection (METIS), which for sheets needs a third fewer operations than CHOLMOD's first choice.
   RoundedFactor();
 
-  void analyse(const Eigen::SparseMatrix<double>& lower);
+  /// Throws std::bad_alloc where there is no room, as factorise() does.
+  void analyse(const Matrix& lower);
 
   /// False if the matrix is not positive definite.
-  bool factorise(const Eigen::SparseMatrix<double>& lower);
+  bool factorise(const Matrix& lower);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
 
  private:
+  void require_success();
   void forward(double* x) const;
   void backward(double* x) const;
 

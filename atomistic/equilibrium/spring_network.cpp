@@ -35,17 +35,18 @@ struct SpringNetwork::Element {
   int size;
 };
 
-SpringNetwork::SpringNetwork(const Sheet& sheet, const SpringConstants& constants)
-    : sheet_(sheet), constants_(constants) {
+SpringNetwork::SpringNetwork(const Sheet& sheet, const SpringConstants& constants, Blocks blocks)
+    : sheet_(sheet), constants_(constants), blocks_(blocks) {
   build_pattern();
 }
 
 /// First and second neighbours are coupled: two atoms that share a bond, an angle or a common neighbour.
 void SpringNetwork::build_pattern() {
   const int free = sheet_.free_atoms;
-  column_.assign(1, 0);
+  start_.assign(1, 0);
+  std::vector<int> coupled;
   for (int j = 0; j < free; ++j) {
-    std::vector<int> coupled = {j};
+    coupled.assign(1, j);
     for (int n : sheet_.neighbours[j]) {
       if (n < 0) continue;
       coupled.push_back(n);
@@ -54,67 +55,52 @@ void SpringNetwork::build_pattern() {
     std::sort(coupled.begin(), coupled.end());
     coupled.erase(std::unique(coupled.begin(), coupled.end()), coupled.end());
     for (int i : coupled)
-      if (i >= j && i < free) rows_.push_back(i);
-    column_.push_back(static_cast<int>(rows_.size()));
+      if (i >= (blocks_ == Blocks::lower ? j : 0) && i < free) rows_.push_back(i);
+    start_.push_back(static_cast<long>(rows_.size()));
   }
-
-  matrix_.resize(3 * free, 3 * free);
-  matrix_.resizeNonZeros(9 * static_cast<Eigen::Index>(rows_.size()));
-  int* outer = matrix_.outerIndexPtr();
-  int* inner = matrix_.innerIndexPtr();
-  for (int j = 0; j < free; ++j) {
-    const int blocks = column_[j + 1] - column_[j];
-    for (int c = 0; c < 3; ++c) {
-      outer[3 * j + c] = 9 * column_[j] + 3 * blocks * c;
-      for (int b = 0; b < blocks; ++b)
-        for (int r = 0; r < 3; ++r) *inner++ = 3 * rows_[column_[j] + b] + r;
-    }
-  }
-  outer[3 * free] = 9 * column_[free];
-  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 1.0);
-  factor_.analyse(matrix_);
 }
 
-void SpringNetwork::factorise(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) {
-  assemble(positions, load);
-  if (!factor_.factorise(matrix_))
-    throw std::runtime_error("the spring network's matrix could not be factorised: positions or constants are off");
+void SpringNetwork::assemble(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load,
+                             double* values) const {
+  std::fill_n(values, numbers(), 0.0);
+  add_identity(values);
+  add_bonds(positions, values);
+  add_angles(positions, values);
+  add_out_of_plane(positions, values);
+  for (const auto& [atom, stiffness] : load) add_block(atom, atom, stiffness, values);
 }
 
-Eigen::VectorXd SpringNetwork::solve(const Eigen::VectorXd& right_hand_side) const {
-  return factor_.solve(right_hand_side);
-}
-
-void SpringNetwork::assemble(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) {
-  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+/// An atom that slides keeps its z: the one number that its row and column have there.
+void SpringNetwork::add_identity(double* values) const {
   for (int i = 0; i < sheet_.free_atoms; ++i) {
-    add_block(i, i, constants_.identity_eV_per_A2 * Matrix3d::Identity());
-    if (slides(i)) matrix_.coeffRef(3 * i + 2, 3 * i + 2) = 1;
+    Matrix3d block = constants_.identity_eV_per_A2 * Matrix3d::Identity();
+    add_block(i, i, block, values);
+    if (!slides(i)) continue;
+    const auto begin = rows_.begin() + start_[i], end = rows_.begin() + start_[i + 1];
+    const auto at = std::lower_bound(begin, end, i) - begin, blocks = end - begin;
+    values[9 * start_[i] + 3 * blocks * 2 + 3 * at + 2] = 1;
   }
-  add_bonds(positions);
-  add_angles(positions);
-  add_out_of_plane(positions);
-  for (const auto& [atom, stiffness] : load) add_block(atom, atom, stiffness);
 }
 
-void SpringNetwork::add_block(int i, int j, Matrix3d block) {
-  if (i < j || i >= sheet_.free_atoms) return;  // lower triangle, free atoms
+void SpringNetwork::add_block(int i, int j, Matrix3d block, double* values) const {
+  if (j >= sheet_.free_atoms || i >= sheet_.free_atoms || (blocks_ == Blocks::lower && i < j)) return;
   if (slides(i)) block.row(2).setZero();
   if (slides(j)) block.col(2).setZero();
-  const auto begin = rows_.begin() + column_[j], end = rows_.begin() + column_[j + 1];
+  const auto begin = rows_.begin() + start_[j], end = rows_.begin() + start_[j + 1];
   const auto at = std::lower_bound(begin, end, i) - begin;
   const auto blocks = end - begin;
-  double* value = matrix_.valuePtr() + 9 * column_[j] + 3 * at;
+  double* value = values + 9 * start_[j] + 3 * at;
   for (int c = 0; c < 3; ++c, value += 3 * blocks) Eigen::Map<Vector3d>{value} += block.col(c);
 }
 
-void SpringNetwork::add_rank_one(double stiffness, const Element& element) {
+void SpringNetwork::add_rank_one(double stiffness, const Element& element, double* values) const {
   for (int a = 0; a < element.size; ++a)
     for (int b = 0; b < element.size; ++b)
-      add_block(element.atoms[a], element.atoms[b], stiffness * element.gradient[a] * element.gradient[b].transpose());
+      add_block(element.atoms[a], element.atoms[b], stiffness * element.gradient[a] * element.gradient[b].transpose(),
+                values);
 }
 
-void SpringNetwork::add_bonds(const Eigen::VectorXd& positions) {
+void SpringNetwork::add_bonds(const Eigen::VectorXd& positions, double* values) const {
   for (const auto& [i, j] : sheet_.bonds) {
     const Vector3d d = positions.segment<3>(3 * i) - positions.segment<3>(3 * j);
     const double l = d.norm(), strain = l / constants_.rest_length_A - 1, s = constants_.softening;
@@ -122,16 +108,16 @@ void SpringNetwork::add_bonds(const Eigen::VectorXd& positions) {
     const double tension = constants_.stretch_eV_per_A2 * constants_.rest_length_A * strain * (1 - s * strain / 2);
     const Matrix3d along = d * d.transpose() / (l * l);
     const Matrix3d block = stiffness * along + std::max(tension, 0.0) / l * (Matrix3d::Identity() - along);
-    add_block(i, i, block);
-    add_block(j, j, block);
-    add_block(i, j, -block);
-    add_block(j, i, -block);
+    add_block(i, i, block, values);
+    add_block(j, j, block, values);
+    add_block(i, j, -block, values);
+    add_block(j, i, -block, values);
   }
 }
 
 /// θ at atom i between its neighbours j and k: ∂θ/∂x_j = −t_j / l_j, t_j the unit vector ⟂ (x_j − x_i)
 /// towards k.
-void SpringNetwork::add_angles(const Eigen::VectorXd& positions) {
+void SpringNetwork::add_angles(const Eigen::VectorXd& positions, double* values) const {
   for (int i = 0; i < sheet_.atoms(); ++i) {
     for (int p = 0; p < 3; ++p) {
       const int j = sheet_.neighbours[i][p], k = sheet_.neighbours[i][(p + 1) % 3];
@@ -141,18 +127,19 @@ void SpringNetwork::add_angles(const Eigen::VectorXd& positions) {
       const Vector3d b = positions.segment<3>(3 * k) - positions.segment<3>(3 * i);
       const Vector3d at_j = -(b - a * (a.dot(b) / a.squaredNorm())).normalized() / a.norm();
       const Vector3d at_k = -(a - b * (a.dot(b) / b.squaredNorm())).normalized() / b.norm();
-      add_rank_one(constants_.angle_eV, {{i, j, k, -1}, {-at_j - at_k, at_j, at_k, Vector3d::Zero()}, 3});
+      add_rank_one(constants_.angle_eV, {{i, j, k, -1}, {-at_j - at_k, at_j, at_k, Vector3d::Zero()}, 3}, values);
     }
   }
 }
 
-void SpringNetwork::add_out_of_plane(const Eigen::VectorXd& positions) {
+void SpringNetwork::add_out_of_plane(const Eigen::VectorXd& positions, double* values) const {
   for (int i = 0; i < sheet_.atoms(); ++i) {
     const auto [a, b, c] = sheet_.neighbours[i];
     if (a < 0 || b < 0 || c < 0) continue;
     const auto x = [&](int atom) { return positions.segment<3>(3 * atom); };
     const Vector3d normal = (x(b) - x(a)).cross(x(c) - x(a)).normalized();
-    add_rank_one(constants_.out_of_plane_eV_per_A2, {{i, a, b, c}, {normal, -normal / 3, -normal / 3, -normal / 3}, 4});
+    add_rank_one(constants_.out_of_plane_eV_per_A2, {{i, a, b, c}, {normal, -normal / 3, -normal / 3, -normal / 3}, 4},
+                 values);
   }
 }
 

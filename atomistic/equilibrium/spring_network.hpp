@@ -1,10 +1,9 @@
-// The preconditioner: stiffness of a spring network on the honeycomb's bonds at given positions.
+// The stiffness of a spring network on the honeycomb's bonds at given positions: the matrix of the preconditioner.
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 #include <vector>
 
-#include "atomistic/equilibrium/rounded_factor.hpp"
 #include "atomistic/lattice/sheet.hpp"
 #include "atomistic/loads/load_term.hpp"
 #include "atomistic/problem.hpp"
@@ -29,41 +28,44 @@ struct SpringConstants {
 /// AIREBO; their geometric mean leaves the same condition number on both sides.
 SpringConstants spring_constants(const Card& card);
 
+/// Which blocks of a symmetric matrix are stored.
+enum class Blocks { lower, all };
+
 /// P(x), symmetric positive definite on the free atoms' 3·free_atoms degrees of freedom:
 ///   Σ bonds  k_r n nᵀ + max(T, 0)/l (I − n nᵀ),  T the tension of a bond that softens under strain
 /// + Σ angles k_θ ∇θ ∇θᵀ + Σ atoms k_o g gᵀ,  g = ∇ m·(x_i − mean of its neighbours),  + identity,
 /// and what a load adds to single atoms. An atom that slides in the plane has no z coupling.
-/// The pattern is analysed once; factorise() refills and factorises, solve() serves any number of right-hand
-/// sides.
+/// Its pattern of 3×3 blocks, one block column for each free atom, and the numbers in memory of the caller's: column by
+/// column of scalars, three for each block. Where all blocks are stored that is row by row just as well.
 class SpringNetwork {
  public:
-  SpringNetwork(const Sheet& sheet, const SpringConstants& constants);
+  SpringNetwork(const Sheet& sheet, const SpringConstants& constants, Blocks blocks);
 
-  /// Positions are those of all atoms, 3N. Throws std::runtime_error if the factorisation fails.
-  void factorise(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load = {});
-  Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
+  /// Block rows of each block column, one column after another, ascending; starts() has where they begin and the end.
+  const std::vector<int>& rows() const { return rows_; }
+  const std::vector<long>& starts() const { return start_; }
+  long numbers() const { return 9 * start_.back(); }
 
-  /// Lower triangle of P at the last factorised positions (diagonal blocks stored whole).
-  const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
+  /// Positions are those of all atoms, 3N; `values` has room for all numbers(). Diagonal blocks are whole.
+  void assemble(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load, double* values) const;
 
  private:
   struct Element;  ///< up to four atoms and one gradient of a scalar deformation
 
   void build_pattern();
-  void assemble(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load);
-  void add_rank_one(double stiffness, const Element& element);
-  void add_block(int i, int j, Eigen::Matrix3d block);
+  void add_rank_one(double stiffness, const Element& element, double* values) const;
+  void add_block(int i, int j, Eigen::Matrix3d block, double* values) const;
   bool slides(int atom) const { return !sheet_.slides.empty() && sheet_.slides[atom]; }
-  void add_bonds(const Eigen::VectorXd& positions);
-  void add_angles(const Eigen::VectorXd& positions);
-  void add_out_of_plane(const Eigen::VectorXd& positions);
+  void add_identity(double* values) const;
+  void add_bonds(const Eigen::VectorXd& positions, double* values) const;
+  void add_angles(const Eigen::VectorXd& positions, double* values) const;
+  void add_out_of_plane(const Eigen::VectorXd& positions, double* values) const;
 
   const Sheet& sheet_;
   SpringConstants constants_;
-  std::vector<int> rows_;    ///< block rows i >= j of each block column j, one after another
-  std::vector<int> column_;  ///< where block column j starts in rows_
-  Eigen::SparseMatrix<double> matrix_;
-  RoundedFactor factor_;
+  Blocks blocks_;
+  std::vector<int> rows_;
+  std::vector<long> start_;
 };
 
 }  // namespace atomistic

@@ -8,8 +8,10 @@
 
 namespace atomistic {
 
-NLOHMANN_JSON_SERIALIZE_ENUM(Fault,
-                             {{Fault::program, "program"}, {Fault::bad_input, "bad_input"}, {Fault::file, "file"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Fault, {{Fault::program, "program"},
+                                     {Fault::bad_input, "bad_input"},
+                                     {Fault::file, "file"},
+                                     {Fault::memory, "memory"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StartEvent, lammps_version, ranks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CardEvent, card)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgressEvent, level, evaluations, max_force_eV_per_A)

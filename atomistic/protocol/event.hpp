@@ -48,7 +48,8 @@ struct EndEvent {
 enum class Fault {
   program,    ///< ours or LAMMPS's
   bad_input,  ///< the potential's description asks for what LAMMPS does not have
-  file        ///< a step could not be written
+  file,       ///< a step could not be written
+  memory      ///< there is not enough
 };
 
 struct ErrorEvent {

@@ -100,7 +100,8 @@ json problem_to_json(const Problem& p) {
           {"past_artefact", p.past_artefact},
           {"ripple_A", p.ripple_A},
           {"ripple_seed", p.ripple_seed},
-          {"virials", p.virials}};
+          {"virials", p.virials},
+          {"preconditioning", p.preconditioning}};
 }
 
 Problem problem_from_json(const json& j) {
@@ -119,7 +120,8 @@ Problem problem_from_json(const json& j) {
           .past_artefact = j.at("past_artefact"),
           .ripple_A = j.at("ripple_A"),
           .ripple_seed = j.at("ripple_seed"),
-          .virials = j.at("virials")};
+          .virials = j.at("virials"),
+          .preconditioning = j.at("preconditioning")};
 }
 
 /// Paths and names are bytes, JSON's texts are not: each byte becomes the character of its number.

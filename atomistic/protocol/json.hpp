@@ -63,6 +63,9 @@ inline void from_json(const nlohmann::json& j, AtomForces& f) {
   f = {.energy_eV = j.at("energy_eV"), .forces_eV_per_A = vector_of(j.at("forces_eV_per_A"))};
 }
 
+NLOHMANN_JSON_SERIALIZE_ENUM(Preconditioning, {{Preconditioning::automatic, "auto"},
+                                               {Preconditioning::factor, "factor"},
+                                               {Preconditioning::multigrid, "multigrid"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Ended, {{Ended::depth_max, "depth_max"},
                                      {Ended::artefact, "artefact"},
                                      {Ended::rupture, "rupture"},
@@ -75,6 +78,7 @@ inline void to_json(nlohmann::json& j, const Report& r) {
        {"reason", r.reason},
        {"force_calls", r.force_calls},
        {"force_s", r.force_s},
+       {"preconditioning", r.preconditioning},
        {"factor_s", r.factor_s},
        {"solve_s", r.solve_s},
        {"setup_s", r.setup_s},
@@ -88,6 +92,7 @@ inline void from_json(const nlohmann::json& j, Report& r) {
        .relaxation_evaluations = j.at("relaxation_evaluations"),
        .force_calls = j.at("force_calls"),
        .force_s = j.at("force_s"),
+       .preconditioning = j.at("preconditioning"),
        .factor_s = j.at("factor_s"),
        .solve_s = j.at("solve_s"),
        .setup_s = j.at("setup_s")};

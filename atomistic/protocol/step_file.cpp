@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 /// The fixed part of the file; the vectors follow as doubles. `magic` names the layout and its version.
 struct Header {
-  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '4'};
-  std::int64_t level, unloading, search, broken, converged, evaluations, factorisations;
+  char magic[8] = {'V', 'S', 'T', 'E', 'P', '0', '0', '5'};
+  std::int64_t level, unloading, search, broken, converged, evaluations, factorisations, solves;
   double target, depth, conjugate_depth, force, energy, max_force, balance, force_error, longest_bond;
   std::int64_t positions, forces, factorised_at, virials;  ///< lengths
   std::uint64_t checksum;                                  ///< of all others and of the vectors
@@ -58,6 +58,7 @@ Header header_of(const Step& s) {
   h.converged = s.converged;
   h.evaluations = s.evaluations;
   h.factorisations = s.factorisations;
+  h.solves = s.solves;
   h.depth = s.depth_A;
   h.conjugate_depth = s.conjugate_depth_A;
   h.force = s.force_eV_per_A;
@@ -84,6 +85,7 @@ Step step_of(const Header& h) {
   s.converged = h.converged != 0;
   s.evaluations = static_cast<int>(h.evaluations);
   s.factorisations = static_cast<int>(h.factorisations);
+  s.solves = static_cast<int>(h.solves);
   s.depth_A = h.depth;
   s.conjugate_depth_A = h.conjugate_depth;
   s.force_eV_per_A = h.force;
@@ -159,11 +161,33 @@ Step read_step(const fs::path& file) {
   return step;
 }
 
+namespace {
+
+/// The path goes on from three, of which one may have been reached again on the way back.
+constexpr int states_kept = 6;
+
+/// A sheet's vectors at every level are far more than a path needs to go on.
+void forget_vectors(std::vector<Step>& steps) {
+  int states = 0;
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    const bool state = steps[k].converged && !steps[k].broken;
+    if (k + 1 == steps.size()) {
+      states += state;
+      continue;
+    }
+    if (!(state && ++states <= states_kept)) steps[k].positions.resize(0);
+    for (Eigen::VectorXd* v : {&steps[k].forces, &steps[k].factorised_at, &steps[k].virials}) v->resize(0);
+  }
+}
+
+}  // namespace
+
 std::vector<Step> read_finished_steps(const fs::path& folder) {
   std::vector<Step> steps;
   for (int level = 0; fs::exists(folder / step_file_name(level)); ++level) {
     try {
       steps.push_back(read_step(folder / step_file_name(level)));
+      forget_vectors(steps);
     } catch (const std::runtime_error&) {  // damaged: it and what followed it is computed again
       break;
     }
@@ -174,7 +198,8 @@ std::vector<Step> read_finished_steps(const fs::path& folder) {
 std::optional<Step> read_deepest_step(const fs::path& folder) {
   std::vector<Step> steps = read_finished_steps(folder);
   while (!steps.empty() && (steps.back().unloading || steps.back().search)) steps.pop_back();
-  return steps.empty() ? std::nullopt : std::optional(std::move(steps.back()));
+  if (steps.empty()) return std::nullopt;
+  return read_step(folder / step_file_name(steps.back().level));
 }
 
 }  // namespace atomistic

@@ -19,7 +19,8 @@ void write_step(const Step& step, const std::filesystem::path& folder);
 /// Throws std::runtime_error naming the file if it is not a complete step, or one of its bytes has changed.
 Step read_step(const std::filesystem::path& file);
 
-/// The levels 0, 1, 2, … that the folder holds without a gap, up to the first that is damaged.
+/// The levels 0, 1, 2, … that the folder holds without a gap, up to the first that is damaged. Of the vectors only
+/// those that a path goes on from: the last step's, and the positions of the last few that it was borne in.
 std::vector<Step> read_finished_steps(const std::filesystem::path& folder);
 
 /// The last of them on the way there, if there is any, without the search for a break.

@@ -1,13 +1,16 @@
 // validate-atoms: computes one job through LAMMPS. Started by validate, under mpiexec or alone.
 //
-// Standard output carries one event per line. When its reader is gone the next line cannot be written and
-// every rank ends: nothing runs on without somebody to take the result.
+// What was standard output carries one event per line, and nothing else: what libraries print goes to standard error.
+// When its reader is gone the next line cannot be written and every rank ends: nothing runs on without somebody to take
+// the result.
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <cerrno>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -25,14 +28,35 @@ namespace {
 
 using namespace atomistic;
 
+/// The descriptor that events go to.
+int events = -1;
+
+void keep_events_apart() {
+  events = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (events < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+    throw std::system_error(errno, std::generic_category(), "standard output");
+}
+
 void tell(const Event& event) {
-  std::cout << to_line(event) << std::endl;
-  if (!std::cout) MpiSession::abort(1);
+  const std::string line = to_line(event) + '\n';
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t written = ::write(events, line.data() + done, line.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) MpiSession::abort(1);
+    done += static_cast<std::size_t>(written);
+  }
 }
 
 Fault fault_of(const std::exception& e) {
   if (dynamic_cast<const BadPotential*>(&e)) return Fault::bad_input;
+  if (dynamic_cast<const std::bad_alloc*>(&e)) return Fault::memory;
   return dynamic_cast<const std::system_error*>(&e) ? Fault::file : Fault::program;
+}
+
+std::string message_of(const std::exception& e) {
+  if (fault_of(e) != Fault::memory) return e.what();
+  return "there is not enough memory; --preconditioner multigrid needs half of what a factor does, and a --launcher "
+         "spreads it over several machines; the steps before this one are kept, --resume goes on from them";
 }
 
 struct Worker {
@@ -91,14 +115,15 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
+    keep_events_apart();
     use_one_math_thread();
     const Job job = read_job(argv[1]);
     if (session.rank() == 0) tell(StartEvent{release, session.ranks()});
     std::visit(Worker{session, job.log_file}, job.work);
     return 0;
   } catch (const std::exception& e) {
-    if (session.rank() == 0) tell(ErrorEvent{e.what(), fault_of(e)});
-    std::cerr << "validate-atoms: " << e.what() << std::endl;
+    if (session.rank() == 0) tell(ErrorEvent{message_of(e), fault_of(e)});
+    std::cerr << "validate-atoms: " << message_of(e) << std::endl;
     if (session.ranks() > 1) MpiSession::abort(1);
     return 1;
   }

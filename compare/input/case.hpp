@@ -53,6 +53,13 @@ constexpr auto words(Units) {
 enum class Centre { hexagon, atom };
 constexpr auto words(Centre) { return std::array{Word{Centre::hexagon, "hexagon"}, Word{Centre::atom, "atom"}}; }
 
+/// What inverts the metric of the atoms' minimiser. Automatic: by the number of atoms.
+enum class Preconditioner { automatic, factor, multigrid };
+constexpr auto words(Preconditioner) {
+  return std::array{Word{Preconditioner::automatic, "auto"}, Word{Preconditioner::factor, "factor"},
+                    Word{Preconditioner::multigrid, "multigrid"}};
+}
+
 struct Case {
   Shape shape = Shape::disc;
   double radius_A = paper::radius_A;  ///< of the free disc, half the side of a square
@@ -86,6 +93,7 @@ struct Case {
   Centre centre = Centre::hexagon;
   double rotation_deg = 0;                         ///< of the lattice
   std::vector<double> vacancies_A, stone_wales_A;  ///< places x, y, x, y, …
+  Preconditioner preconditioner = Preconditioner::automatic;
 
   // [agreement]
   LoadKind judged_load = LoadKind::disc;
@@ -158,6 +166,8 @@ void describe(Self& c, Visitor&& visit) {
               {},
               "atomistic"},
         c.stone_wales_A);
+  visit(Field{"preconditioner", {}, "of the minimiser; auto: a factor, multigrid for large sheets", {}, "atomistic"},
+        c.preconditioner);
 
   visit(Field{"judged-load", {}, "load whose curves the verdict compares", {}, "agreement"}, c.judged_load);
   visit(Field{"against", {}, "continuum that the atoms are held against", {}, "agreement"}, c.against);

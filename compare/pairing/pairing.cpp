@@ -179,6 +179,18 @@ std::vector<ContinuumExperiment> continua(const Case& c, const Material& m, Load
   return all;
 }
 
+atomistic::Preconditioning preconditioning(Preconditioner asked) {
+  switch (asked) {
+    case Preconditioner::automatic:
+      return atomistic::Preconditioning::automatic;
+    case Preconditioner::factor:
+      return atomistic::Preconditioning::factor;
+    case Preconditioner::multigrid:
+      return atomistic::Preconditioning::multigrid;
+  }
+  return {};
+}
+
 AtomisticExperiment atoms(const Case& c, const Material& m, LoadKind load) {
   AtomisticExperiment e;
   e.problem.potential = m.file.potential;
@@ -191,6 +203,7 @@ AtomisticExperiment atoms(const Case& c, const Material& m, LoadKind load) {
   e.problem.control = prescribes_force(c, load) ? atomistic::Control::force : atomistic::Control::conjugate_depth;
   e.problem.force_tolerance_eV_per_A = c.force_tolerance_eV_per_A;
   e.problem.past_artefact = c.past_artefact;
+  e.problem.preconditioning = preconditioning(c.preconditioner);
   e.run.model = Model::atomistic;
   settle_part(e.run);
   e.run.load = load;

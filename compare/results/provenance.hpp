@@ -26,7 +26,7 @@ void describe(SameStruct<Timing> auto& timing, auto&& visit) {
   visit(Field{"atomistic", unit::second, "atomistic curves, without the card"}, timing.atomistic_s);
   visit(Field{"setup", unit::second, "LAMMPS's start and the first force of each depth with its set-up"},
         timing.setup_s);
-  visit(Field{"factor", unit::second, "factorising the preconditioner"}, timing.factor_s);
+  visit(Field{"factor", unit::second, "factorising the preconditioner, or setting up its multigrid"}, timing.factor_s);
   visit(Field{"solve", unit::second, "solving with the preconditioner"}, timing.solve_s);
   visit(Field{"force_calls", unit::none, "LAMMPS force computations of all curves"}, timing.force_calls);
   visit(Field{"force", unit::second, "inside LAMMPS's force computation, summed over curves"}, timing.force_s);

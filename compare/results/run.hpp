@@ -98,9 +98,10 @@ void describe(SameStruct<Breaking> auto& breaking, auto&& visit) {
 struct AtomsPart {
   std::vector<double> max_force_eV_per_A, balance_relative, force_error_relative;
   std::vector<bool> artefact;
-  std::vector<int> force_evaluations, factorisations;
-  std::optional<ContactSensitivity> contact;  ///< for a sphere
-  std::optional<Breaking> breaking;           ///< where the path broke
+  std::vector<int> force_evaluations, factorisations, solves;
+  std::optional<Preconditioner> preconditioner;  ///< that was used; nothing where the program failed
+  std::optional<ContactSensitivity> contact;     ///< for a sphere
+  std::optional<Breaking> breaking;              ///< where the path broke
 };
 
 void describe(SameStruct<AtomsPart> auto& part, auto&& visit) {
@@ -111,7 +112,13 @@ void describe(SameStruct<AtomsPart> auto& part, auto&& visit) {
   visit(Column{"force_error_relative", unit::none, "estimated error of the force, over the force"},
         part.force_error_relative);
   visit(Column{"force_evaluations", unit::none, "LAMMPS force computations for this depth"}, part.force_evaluations);
-  visit(Column{"factorisations", unit::none, "preconditioner factorisations for this depth"}, part.factorisations);
+  visit(Column{"factorisations", unit::none,
+               "preconditioner factorisations, or set-ups of its multigrid, for this depth"},
+        part.factorisations);
+  visit(Column{"solves", unit::none, "solutions with the preconditioner's factor, or multigrid cycles, for this depth"},
+        part.solves);
+  visit(Field{"preconditioner", unit::none, "factor or multigrid; unknown where the program failed"},
+        part.preconditioner);
   visit(Field{"contact", unit::none, "what a stiffer contact changes; spheres only"}.where_known(), part.contact);
   visit(Field{"breaking", unit::none, "where the atoms broke"}.where_known(), part.breaking);
 }

@@ -65,6 +65,7 @@ void append(Run& run, const atomistic::Step& step, double artefact_from_A, bool 
   part.artefact.push_back(!broken && step.longest_bond_A >= artefact_from_A);
   part.force_evaluations.push_back(step.evaluations);
   part.factorisations.push_back(step.factorisations);
+  part.solves.push_back(step.solves);
 }
 
 namespace {
@@ -118,6 +119,9 @@ void close(Run& run, const atomistic::Report& report) {
       break;
   }
   run.ended_reason = report.reason;
+  run.atoms().preconditioner = report.preconditioning == atomistic::Preconditioning::multigrid
+                                   ? Preconditioner::multigrid
+                                   : Preconditioner::factor;
   if (const auto& c = report.contact)
     run.atoms().contact = {c->force_change_relative, c->depth_change_A, c->force_change_at_equal_depth_relative,
                            c->deepest_penetration_A};

@@ -144,7 +144,8 @@ std::string contact(const Run& run) {
 std::string levels_table(const Run& run) {
   std::vector<std::string> header = {"depth (Å)", "force (eV/Å)", "energy (eV)", "converged"};
   if (run.is_atomistic())
-    for (const char* name : {"longest bond (Å)", "max |f| (eV/Å)", "balance", "force error", "evaluations", "factors"})
+    for (const char* name :
+         {"longest bond (Å)", "max |f| (eV/Å)", "balance", "force error", "evaluations", "set-ups", "solves"})
       header.emplace_back(name);
   else
     header.emplace_back("Newton steps");
@@ -161,7 +162,7 @@ std::string levels_table(const Run& run) {
     row.push_back(number(run.longest_bond_A[i], "{:.4f}"));
     for (const auto* column : {&part.max_force_eV_per_A, &part.balance_relative, &part.force_error_relative})
       row.push_back(number((*column)[i], "{:.1e}"));
-    for (const auto* column : {&part.force_evaluations, &part.factorisations})
+    for (const auto* column : {&part.force_evaluations, &part.factorisations, &part.solves})
       row.push_back(std::to_string((*column)[i]));
   }
   return html::table(header, rows);

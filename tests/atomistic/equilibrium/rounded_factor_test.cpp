@@ -1,13 +1,15 @@
 #include "atomistic/equilibrium/rounded_factor.hpp"
 
+#include <SuiteSparse_config.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <new>
 
 namespace {
 
 using namespace atomistic;
-using Matrix = Eigen::SparseMatrix<double>;
+using Matrix = RoundedFactor::Matrix;
 
 /// A grid's Laplacian with random weights, three unknowns a node that are coupled, and a shift: lower triangle.
 Matrix grid(int side, double shift, unsigned seed) {
@@ -73,7 +75,43 @@ TEST(RoundedFactor, SaysWhenThereIsNone) {
   RoundedFactor factor;
   factor.analyse(a);
   a.coeffRef(30, 30) = -1;
+  testing::internal::CaptureStdout();
   EXPECT_FALSE(factor.factorise(a));
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << "nobody reads it there";
+}
+
+/// CHOLMOD's own memory, for as long as this lives.
+class NoMemory {
+ public:
+  NoMemory() {
+    SuiteSparse_config.malloc_func = [](std::size_t) -> void* { return nullptr; };
+    SuiteSparse_config.calloc_func = [](std::size_t, std::size_t) -> void* { return nullptr; };
+    SuiteSparse_config.realloc_func = [](void*, std::size_t) -> void* { return nullptr; };
+  }
+  ~NoMemory() {
+    SuiteSparse_config.malloc_func = malloc_;
+    SuiteSparse_config.calloc_func = calloc_;
+    SuiteSparse_config.realloc_func = realloc_;
+  }
+  NoMemory(const NoMemory&) = delete;
+  NoMemory& operator=(const NoMemory&) = delete;
+
+ private:
+  decltype(SuiteSparse_config.malloc_func) malloc_ = SuiteSparse_config.malloc_func;
+  decltype(SuiteSparse_config.calloc_func) calloc_ = SuiteSparse_config.calloc_func;
+  decltype(SuiteSparse_config.realloc_func) realloc_ = SuiteSparse_config.realloc_func;
+};
+
+TEST(RoundedFactor, WantOfMemoryIsNoAnswerAboutTheMatrix) {
+  const Matrix a = grid(6, 0.1, 6);
+  RoundedFactor factor, other;
+  factor.analyse(a);
+  {
+    const NoMemory none;
+    EXPECT_THROW(factor.factorise(a), std::bad_alloc);
+    EXPECT_THROW(other.analyse(a), std::bad_alloc);
+  }
+  EXPECT_TRUE(factor.factorise(a));
 }
 
 }  // namespace

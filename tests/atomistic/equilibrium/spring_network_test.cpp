@@ -1,5 +1,3 @@
-#include "atomistic/equilibrium/spring_network.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -8,6 +6,8 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
+
+#include "atomistic/equilibrium/network_factor.hpp"
 
 namespace {
 
@@ -36,7 +36,7 @@ Card consistent_out_of_plane() {
   return card;
 }
 
-MatrixXd dense(const SpringNetwork& network) { return MatrixXd(network.matrix()).selfadjointView<Eigen::Lower>(); }
+MatrixXd dense(const NetworkFactor& network) { return MatrixXd(network.matrix()).selfadjointView<Eigen::Lower>(); }
 
 VectorXd wrinkled(const Sheet& sheet) {
   VectorXd x = sheet.positions;
@@ -49,8 +49,8 @@ VectorXd wrinkled(const Sheet& sheet) {
 
 TEST(SpringNetwork, IsPositiveDefiniteAndSolves) {
   const Sheet sheet = make_sheet(10, 2.4192, 0, 4);
-  SpringNetwork network(sheet, spring_constants(airebo_like()));
-  network.factorise(wrinkled(sheet));
+  NetworkFactor network(sheet, spring_constants(airebo_like()));
+  network.set_up(wrinkled(sheet));
   const MatrixXd p = dense(network);
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatrixXd>(p).eigenvalues().minCoeff(), 0);
   const VectorXd b = VectorXd::Random(p.rows());
@@ -89,8 +89,8 @@ SpringConstants without_identity(const Card& card) {
 TEST(SpringNetwork, LongWavesInThePlaneHaveTheCardsModuli) {
   const Card card = airebo_like();
   const Sheet sheet = make_sheet(13, card.a0_A, 0, 4);
-  SpringNetwork network(sheet, without_identity(card));
-  network.factorise(sheet.positions);
+  NetworkFactor network(sheet, without_identity(card));
+  network.set_up(sheet.positions);
   const double q = 2e-3, c11 = card.C11_eV_per_A2, c66 = (c11 - card.C12_eV_per_A2) / 2;
   const Eigen::VectorXd stiffness = wave_stiffness(dense(network), sheet, q) / (q * q * card.area_per_atom_A2());
   EXPECT_NEAR(stiffness[1], c66, 1e-4 * c66);
@@ -100,8 +100,8 @@ TEST(SpringNetwork, LongWavesInThePlaneHaveTheCardsModuli) {
 TEST(SpringNetwork, LongWavesOutOfThePlaneBendLikeTheCard) {
   const Card card = consistent_out_of_plane();
   const Sheet sheet = make_sheet(13, card.a0_A, 0, 4);
-  SpringNetwork network(sheet, without_identity(card));
-  network.factorise(sheet.positions);
+  NetworkFactor network(sheet, without_identity(card));
+  network.set_up(sheet.positions);
   const double q = 0.05, kappa = card.bending_modulus_eV();
   EXPECT_NEAR(wave_stiffness(dense(network), sheet, q)[0] / (std::pow(q, 4) * card.area_per_atom_A2()), kappa,
               0.01 * kappa);
@@ -111,8 +111,8 @@ TEST(SpringNetwork, LongWavesOutOfThePlaneBendLikeTheCard) {
 TEST(SpringNetwork, OutOfPlaneSpringsServeBothEndsAlike) {
   const Card card = airebo_like();
   const Sheet sheet = make_sheet(13, card.a0_A, 0, 4);
-  SpringNetwork network(sheet, without_identity(card));
-  network.factorise(sheet.positions);
+  NetworkFactor network(sheet, without_identity(card));
+  network.set_up(sheet.positions);
   const double q = 0.02;
   const double bending = wave_stiffness(dense(network), sheet, q)[0] /
                          (card.bending_modulus_eV() * std::pow(q, 4) * card.area_per_atom_A2());
@@ -129,9 +129,9 @@ TEST(SpringNetwork, BondsSoftenUnderStrain) {
   const Sheet sheet = make_sheet(10, card.a0_A, 0, 4);
   SpringConstants constants = spring_constants(card);
   constants.angle_eV = constants.out_of_plane_eV_per_A2 = constants.identity_eV_per_A2 = 1e-9;
-  SpringNetwork network(sheet, constants);
+  NetworkFactor network(sheet, constants);
   const auto in_plane_stiffness = [&](double strain) {  // of one atom inside, along x: 3/2 (k + T/l)
-    network.factorise((1 + strain) * sheet.positions);
+    network.set_up((1 + strain) * sheet.positions);
     return dense(network)(3 * sheet.record[0], 3 * sheet.record[0]);
   };
   const double k = constants.stretch_eV_per_A2, e = 0.02, s = card.bond_softening;

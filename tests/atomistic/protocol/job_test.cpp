@@ -41,6 +41,7 @@ TEST_F(JobFile, ACurveSurvives) {
   p.control = Control::force;
   p.levels = {0.1, 0.2};
   p.past_artefact = true;
+  p.preconditioning = Preconditioning::multigrid;
   p.ripple_A = 0.25;
   p.ripple_seed = 5;
   p.virials = true;
@@ -58,6 +59,7 @@ TEST_F(JobFile, ACurveSurvives) {
   EXPECT_EQ(curve.problem.control, Control::force);
   EXPECT_EQ(curve.problem.levels, p.levels);
   EXPECT_TRUE(curve.problem.past_artefact);
+  EXPECT_EQ(curve.problem.preconditioning, Preconditioning::multigrid);
   EXPECT_EQ(curve.problem.ripple_A, 0.25);
   EXPECT_EQ(curve.problem.ripple_seed, 5u);
   EXPECT_TRUE(curve.problem.virials);

@@ -77,6 +77,19 @@ TEST_F(StepFile, FinishedStepsEndAtTheFirstGap) {
   EXPECT_FALSE(read_deepest_step(folder / "nowhere"));
 }
 
+/// A path of a large sheet would not fit into the memory otherwise.
+TEST_F(StepFile, OldStepsAreReadWithoutTheirVectors) {
+  for (int level = 0; level < 10; ++level) write_step(step(level), folder);
+  const std::vector<Step> steps = read_finished_steps(folder);
+  ASSERT_EQ(steps.size(), 10u);
+  EXPECT_EQ(steps[2].positions.size(), 0);
+  EXPECT_EQ(steps[2].force_eV_per_A, step(2).force_eV_per_A);
+  EXPECT_EQ(steps[8].factorised_at.size(), 0);
+  for (int level : {7, 8, 9}) EXPECT_EQ(steps[level].positions.size(), step(level).positions.size());
+  EXPECT_EQ(steps[9].factorised_at.size(), step(9).factorised_at.size());
+  EXPECT_EQ(read_deepest_step(folder)->forces.size(), step(9).forces.size());
+}
+
 TEST_F(StepFile, AFileCutShortIsRefusedByName) {
   write_step(step(0), folder);
   const fs::path file = folder / step_file_name(0);

@@ -1,7 +1,8 @@
 // One converged depth (R/55, disc of R/11) at growing radii: atoms, evaluations, where the time goes, memory, and the
 // exponents with which they grow with the number of atoms. Radii in ascending order: the peak memory is the process's.
 //
-//   atomistic_scale [POTENTIAL] [RADIUS_A[,…]]        1000 Å takes some 11 GB and minutes
+//   atomistic_scale [POTENTIAL] [RADIUS_A[,…]] [factor|multigrid] [LOAD]
+//                                                    1000 Å takes some 11 GB and minutes with the factor
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -23,9 +24,15 @@ double user_s(const rusage& usage) {
   return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
 }
 
-Row measure(const std::string& name, double radius, const atomistic::MpiSession& session) {
-  atomistic::Problem problem = disc_problem(name, radius, "disc");
+struct Asked {
+  std::string potential, load;
+  atomistic::Preconditioning preconditioning;
+};
+
+Row measure(const Asked& asked, double radius, const atomistic::MpiSession& session) {
+  atomistic::Problem problem = disc_problem(asked.potential, radius, asked.load);
   problem.levels.resize(1);
+  problem.preconditioning = asked.preconditioning;
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   const Path path = follow(problem, session);
@@ -38,9 +45,12 @@ Row measure(const std::string& name, double radius, const atomistic::MpiSession&
                 user_s(after) - user_s(before),
                 static_cast<double>(after.ru_maxrss) / 1e6};
   const atomistic::Step& step = path.steps.front();
-  fmt::print("{:10} {:6.0f} {:9} {:6} {:9} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:8.2f}   max|f| {:.1e}\n", name,
-             radius, path.atoms, step.evaluations, step.converged ? "yes" : "NO", row.force_s, row.factor_s,
-             row.solve_s, row.user_s, path.wall_s, row.memory_GB, step.max_force_eV_per_A);
+  fmt::print(
+      "{:10} {:6.0f} {:9} {:6} {:9} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:8.2f}   max|f| {:.1e}, F {:.9f}, error "
+      "{:.1e}, {} solves\n",
+      asked.potential, radius, path.atoms, step.evaluations, step.converged ? "yes" : "NO", row.force_s, row.factor_s,
+      row.solve_s, row.user_s, path.wall_s, row.memory_GB, step.max_force_eV_per_A, step.force_eV_per_A,
+      step.force_error_relative, step.solves);
   std::fflush(stdout);
   return row;
 }
@@ -49,12 +59,15 @@ Row measure(const std::string& name, double radius, const atomistic::MpiSession&
 
 int main(int argc, char** argv) {
   const atomistic::MpiSession session(&argc, &argv);
-  const std::string name = argc > 1 ? argv[1] : "tersoff";
+  const auto word = [&](int k, const char* otherwise) { return std::string(argc > k ? argv[k] : otherwise); };
+  const Asked asked{
+      word(1, "tersoff"), word(4, "disc"),
+      word(3, "factor") == "factor" ? atomistic::Preconditioning::factor : atomistic::Preconditioning::multigrid};
   std::vector<Row> rows;
   fmt::print(
       "potential   R (Å)     atoms evals. converged   force s  factor s   solve s    user s    wall s      GB\n");
-  for (const std::string& radius : split(argc > 2 ? argv[2] : "30,110,300"))
-    rows.push_back(measure(name, std::stod(radius), session));
+  for (const std::string& radius : split(word(2, "30,110,300")))
+    rows.push_back(measure(asked, std::stod(radius), session));
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const double growth = std::log(rows[k].atoms / rows[k - 1].atoms);
     const auto exponent = [&](double Row::*member) {

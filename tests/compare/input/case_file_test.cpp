@@ -65,6 +65,7 @@ centre = "atom"
 rotation-deg = 12.5
 vacancies = [3, "0.4 nm"]
 stone-wales = [-5, 6]
+preconditioner = "multigrid"
 [agreement]
 judged-load = "point"
 window = [0.12, 0.14]
@@ -107,6 +108,7 @@ regime-tolerance = 0.05
   EXPECT_EQ(c.rotation_deg, 12.5);
   EXPECT_EQ(c.vacancies_A, (std::vector<double>{3, 4}));
   EXPECT_EQ(c.stone_wales_A, (std::vector<double>{-5, 6}));
+  EXPECT_EQ(c.preconditioner, Preconditioner::multigrid);
   EXPECT_EQ(c.judged_load, LoadKind::point);
   EXPECT_EQ(c.window, (std::vector<double>{0.12, 0.14}));
   EXPECT_EQ(c.tolerance, 0.1);

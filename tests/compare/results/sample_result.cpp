@@ -76,11 +76,13 @@ Run atomistic_run(LoadKind load, double stiffness, double longest_bond_per_depth
     part.force_error_relative.push_back(3e-5);
     part.force_evaluations.push_back(11);
     part.factorisations.push_back(1);
+    part.solves.push_back(12);
     if (!part.artefact.back()) continue;
     run.ended = Ended::artefact;
     run.ended_reason = "longest bond 1.70 Å";
     break;
   }
+  part.preconditioner = Preconditioner::factor;
   if (load == LoadKind::sphere) {
     part.contact = ContactSensitivity{0.0025, -0.02, 0.0009, 0.05};
     part.breaking = Breaking{.force_eV_per_A = 86.1,

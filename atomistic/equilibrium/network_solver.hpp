@@ -1,0 +1,30 @@
+// Solving with the spring network's matrix: a factor, or one multigrid cycle.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "atomistic/equilibrium/spring_network.hpp"
+#include "atomistic/loads/load_term.hpp"
+
+namespace atomistic {
+
+/// The pattern is that of the sheet; set_up() takes the numbers at some positions, solve() serves any number of
+/// right-hand sides.
+class NetworkSolver {
+ public:
+  virtual ~NetworkSolver() = default;
+
+  /// Positions are those of all atoms, 3N. Throws std::runtime_error if it fails, std::bad_alloc for want of memory.
+  virtual void set_up(const Eigen::VectorXd& positions, const std::vector<AtomStiffness>& load) = 0;
+
+  /// P̃⁻¹r: symmetric, positive definite, the same until the next set-up.
+  virtual Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const = 0;
+};
+
+/// `kind` is not automatic. The sheet must outlive it.
+std::unique_ptr<NetworkSolver> make_network_solver(Preconditioning kind, const Sheet& sheet,
+                                                   const SpringConstants& constants);
+
+}  // namespace atomistic
