@@ -2,33 +2,43 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "atomistic/protocol/preconditioning.hpp"
+#include "compare/base/memory.hpp"
 #include "compare/documents/texts/json.hpp"
+#include "compare/process/atoms_budget.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
 namespace {
 
-/// Graphene's lattice constant, for counting before the potential's own is known.
-constexpr double typical_a0_A = 2.46;
+std::string memory_line(const Case& c, const AtomsBudget& budget, const AtomsLaunch& launch) {
+  const int curves = static_cast<int>(c.loads.size());
+  const auto there = available_memory_bytes();
+  const std::string free = there ? fmt::format(", {:.1f} GB are free", 1e-9 * *there) : "";
+  const int at_once = curves_at_once(budget, launch, curves);
+  return fmt::format("memory: about {:.1f} GB a curve{}{}\n", 1e-9 * budget.memory_bytes, free,
+                     at_once < curves ? fmt::format(": {} of {} curves at a time", at_once, curves) : "");
+}
 
-/// Measured averages: evaluations for a level, and AIREBO's time for an atom's force on one core (the dearest
-/// potential).
-constexpr double evaluations_per_level = 9, dearest_force_s = 5e-6, factor_and_solve_s = 3e-6;
-
-std::string atoms_plan(const Case& c, const atomistic::Potential& potential, std::size_t levels, int cores) {
-  const double outer = c.radius_A + potential.interaction_range_A;
-  const double atoms = std::numbers::pi * outer * outer / (std::numbers::sqrt3 / 4 * typical_a0_A * typical_a0_A);
-  const double curves = static_cast<double>(c.loads.size()),
-               evaluations = evaluations_per_level * static_cast<double>(levels);
-  const double serial_s = curves * evaluations * atoms * (dearest_force_s + factor_and_solve_s);
+std::string atoms_plan(const Case& c, const atomistic::Potential& potential, std::size_t levels,
+                       const AtomsLaunch& launch) {
+  const AtomsBudget budget = atoms_budget(c, potential, levels);
+  const double curves = static_cast<double>(c.loads.size());
+  const bool multigrid = budget.preconditioning == atomistic::Preconditioning::multigrid;
   return fmt::format(
       "atoms: about {:.0f} ({:.1f} Å wide clamped ring), {:.0f} curve(s) of {} depths or more\n"
-      "estimate: at most about {:.0f} s on {} core(s) (AIREBO; REBO and Tersoff take a third)\n",
-      atoms, potential.interaction_range_A, curves, levels, 3 + serial_s / std::min<double>(cores, curves), cores);
+      "preconditioner: {}{}\n"
+      "{}estimate: about {:.0f} s on {} core(s); one curve on one core: start {:.1f} s, forces {:.1f} s, {} {:.1f} s, "
+      "{} "
+      "{:.1f} s\n",
+      budget.atoms, potential.interaction_range_A, curves, levels, multigrid ? "multigrid" : "factor",
+      atomistic::has_multigrid() ? "" : " (built without hypre: there is no multigrid)", memory_line(c, budget, launch),
+      3 + curves * budget.all_s() / std::min<double>(launch.cores, curves), launch.cores, budget.start_s,
+      budget.forces_s, multigrid ? "set-ups" : "factorisations", budget.set_ups_s, multigrid ? "cycles" : "solves",
+      budget.solves_s);
 }
 
 }  // namespace
@@ -42,7 +52,7 @@ std::string plan_text(const Case& c, const std::optional<PotentialFile>& potenti
     text += fmt::format("membrane: {} triangles on a quarter, {} curve(s) of {} levels\n", rings * rings,
                         c.loads.size() * (potential ? 2 : 1), levels);
   }
-  if (potential && c.models != Models::membrane) text += atoms_plan(c, potential->potential, levels, launch.cores);
+  if (potential && c.models != Models::membrane) text += atoms_plan(c, potential->potential, levels, launch);
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "atomistic/protocol/math_threads.hpp"
+#include "atomistic/protocol/preconditioning.hpp"
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
 #include "compare/base/terminal.hpp"
@@ -15,6 +16,7 @@
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/table.hpp"
 #include "compare/potential/switch_length.hpp"
+#include "compare/process/atoms_budget.hpp"
 #include "compare/process/run_folder.hpp"
 #include "compare/study/study.hpp"
 
@@ -70,6 +72,14 @@ void print(const StudyOutcome& outcome, const RunOptions& options) {
     print_table(outcome.result);
 }
 
+/// Curves run side by side as far as there is memory for them.
+StudyOptions study_options(const Case& c, const std::optional<PotentialFile>& potential, const AtomsLaunch& launch,
+                           const RunOptions& options, const RunFolder& folder) {
+  const int curves = static_cast<int>(c.loads.size());
+  const int at_once = potential ? curves_at_once(atoms_budget(c, potential->potential, 1), launch, curves) : curves;
+  return {launch, options.ranks, folder.path(), options.all_fields, at_once};
+}
+
 }  // namespace
 
 int run_experiment(Command command, const Case& c, const RunOptions& options,
@@ -77,10 +87,14 @@ int run_experiment(Command command, const Case& c, const RunOptions& options,
   atomistic::use_one_math_thread();
   AtomsLaunch launch{.cores = available_cores()};
   if (potential) launch = launch_of(options);
+  if (c.preconditioner == Preconditioner::multigrid && !atomistic::has_multigrid())
+    throw bad_input(
+        "preconditioner: 'multigrid' needs hypre, which this program was built without; allowed: auto, factor");
   if (options.dry_run) {
     print_text(plan_text(c, potential, launch));
     return 0;
   }
+  if (potential && c.models != Models::membrane) require_memory(c, potential->potential, launch);
   catch_interrupts();
   RunFolder folder(options, folder_name(command, c), identity_of(c, potential));
   Progress progress(options.quiet);
@@ -88,7 +102,7 @@ int run_experiment(Command command, const Case& c, const RunOptions& options,
     if (options.json) check_json_target(options.json->string());
     const auto used = prepared(potential, c, folder);
     const StudyOutcome outcome =
-        run_study(command, c, used, {launch, options.ranks, folder.path(), options.all_fields}, progress);
+        run_study(command, c, used, study_options(c, potential, launch, options, folder), progress);
     write_documents(outcome, options, folder);
     if (outcome.failure.empty()) folder.finish(static_cast<ExitCode>(outcome.result.exit_code));
     print(outcome, options);

@@ -20,7 +20,6 @@ constexpr double smallest_atomistic_radius_A = 3 * lattice_constant_A;
 constexpr double smallest_atomistic_tip_A = 1.5;      // just holds the central hexagon
 constexpr double largest_atomistic_radius_A = 3000;   // 10.8 million atoms
 constexpr double largest_pressed_radius_A = 1000;     // under a pressure: 1.5 million atoms in a square
-constexpr double memory_warning_radius_A = 500;       // about 3 GiB for the preconditioner's factor
 constexpr double laboratory_radius_A = 1000;          // a drum
 constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
 
@@ -251,10 +250,6 @@ std::vector<std::string> warnings(const Case& c, const Origins& origins) {
   } else if (has_indenter(c) && largest_depth_A(c) >= c.radius_A / 2) {
     found.push_back(fmt::format("{}: {:.6g} Å is half of the radius or more: a sheet is torn long before",
                                 label_of(origins, "depth-max"), largest_depth_A(c)));
-  }
-  if (c.models != Models::membrane && c.radius_A > memory_warning_radius_A) {
-    found.push_back(fmt::format("{}: a sheet of {} Å has about {:.1f} million atoms and needs several GiB of memory",
-                                label_of(origins, "radius"), c.radius_A, 1.2e-6 * c.radius_A * c.radius_A));
   }
   return found;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "compare/process/atoms_curves.hpp"
 #include "compare/study/breaking.hpp"
 #include "compare/study/cross_section.hpp"
@@ -49,11 +51,12 @@ void compute_atoms(std::vector<PairedLoad>& loads, const atomistic::Sheet& sheet
   const double start = seconds();
   std::vector<AtomsPath> paths;
   for (const PairedLoad& load : loads) paths.push_back({std::string(to_string(load.load)), load.atoms->problem});
+  AtomsLaunch launch = options.launch;
   const int ranks =
       options.ranks > 0 ? options.ranks : useful_ranks(options.launch, sheet.atoms(), static_cast<int>(paths.size()));
   progress.say(fmt::format("{} atoms, {} curve(s), {} rank(s) each", sheet.atoms(), paths.size(), ranks));
-  const std::vector<AtomsCurve> curves =
-      compute_curves(options.launch, paths, ranks, options.folder / "work", progress);
+  if (options.curves_at_once > 0) launch.cores = std::min(launch.cores, options.curves_at_once * ranks);
+  const std::vector<AtomsCurve> curves = compute_curves(launch, paths, ranks, options.folder / "work", progress);
   for (std::size_t i = 0; i < loads.size(); ++i) collect(*loads[i].atoms, curves[i], sheet, outcome);
   outcome.result.timing.atomistic_s = seconds() - start;
 }

@@ -20,6 +20,7 @@ struct StudyOptions {
   int ranks = 0;                 ///< per curve; 0: chosen from the cores and the size of the sheet
   std::filesystem::path folder;  ///< of the run; holds `work`
   bool all_fields = false;       ///< keep the membranes' sheets at every depth, not at the last only
+  int curves_at_once = 0;        ///< for which there is memory; 0: all
 };
 
 /// What a study produced, and what failed on the way: nothing computed is lost to a failure.

@@ -131,7 +131,8 @@ TEST(MainJob, ADryRunComputesAndLeavesNothing) {
   const WorkFolder folder;
   const Outcome outcome = run_validate(small_run({"--dry-run"}), folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* word : {"\"radius_A\": 15", "atoms: about", "triangles", "estimate"})
+  for (const char* word :
+       {"\"radius_A\": 15", "atoms: about", "triangles", "estimate", "preconditioner: factor", "memory: about"})
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
