@@ -180,14 +180,14 @@ void forget_vectors(std::vector<Step>& steps) {
   }
 }
 
-}  // namespace
-
-std::vector<Step> read_finished_steps(const fs::path& folder) {
+/// Those that are whole, in order; `forget` is called after each with all so far.
+template <class Forget>
+std::vector<Step> read_whole_steps(const fs::path& folder, Forget&& forget) {
   std::vector<Step> steps;
   for (int level = 0; fs::exists(folder / step_file_name(level)); ++level) {
     try {
       steps.push_back(read_step(folder / step_file_name(level)));
-      forget_vectors(steps);
+      forget(steps);
     } catch (const std::runtime_error&) {  // damaged: it and what followed it is computed again
       break;
     }
@@ -195,11 +195,18 @@ std::vector<Step> read_finished_steps(const fs::path& folder) {
   return steps;
 }
 
-std::optional<Step> read_deepest_step(const fs::path& folder) {
-  std::vector<Step> steps = read_finished_steps(folder);
+}  // namespace
+
+std::vector<Step> read_finished_steps(const fs::path& folder) { return read_whole_steps(folder, forget_vectors); }
+
+std::vector<Step> read_way_there(const fs::path& folder) {
+  std::vector<Step> steps = read_whole_steps(folder, [](std::vector<Step>& so_far) {
+    for (Eigen::VectorXd* v : {&so_far.back().forces, &so_far.back().factorised_at, &so_far.back().virials})
+      v->resize(0);
+  });
   while (!steps.empty() && (steps.back().unloading || steps.back().search)) steps.pop_back();
-  if (steps.empty()) return std::nullopt;
-  return read_step(folder / step_file_name(steps.back().level));
+  if (!steps.empty()) steps.back() = read_step(folder / step_file_name(steps.back().level));
+  return steps;
 }
 
 }  // namespace atomistic

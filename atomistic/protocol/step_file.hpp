@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "atomistic/problem.hpp"
@@ -23,7 +22,8 @@ Step read_step(const std::filesystem::path& file);
 /// those that a path goes on from: the last step's, and the positions of the last few that it was borne in.
 std::vector<Step> read_finished_steps(const std::filesystem::path& folder);
 
-/// The last of them on the way there, if there is any, without the search for a break.
-std::optional<Step> read_deepest_step(const std::filesystem::path& folder);
+/// Those of the way there, up to the deepest, without the search for a break: the positions of all, all vectors of the
+/// deepest.
+std::vector<Step> read_way_there(const std::filesystem::path& folder);
 
 }  // namespace atomistic

@@ -36,14 +36,12 @@ struct Target {
   const StudyOutcome& outcome;
   const Result& result;
   const fs::path &work, &folder;
+  std::vector<AtomsOfLoad> atoms;
 };
 
 void run_h5(const Target& t) {
   std::vector<AtomsTrajectory> trajectories;
-  if (t.outcome.sheet)
-    for (const LoadKind load : t.result.resolved.loads)
-      if (auto one = trajectory_of(std::string(to_string(load)), *t.outcome.sheet, t.work))
-        trajectories.push_back(std::move(*one));
+  for (const AtomsOfLoad& one : t.atoms) trajectories.push_back(one.trajectory);
   write_run_h5(t.result, t.folder / "run.h5", trajectories);
 }
 void curves(const Target& t) { write_curves(t.result, t.folder); }
@@ -64,9 +62,7 @@ void logs(const Target& t) {
 }
 
 void atoms(const Target& t) {
-  if (!t.outcome.sheet) return;
-  for (const LoadKind load : t.result.resolved.loads)
-    write_deepest_sheet(t.outcome.potential, std::string(to_string(load)), *t.outcome.sheet, t.work, t.folder);
+  for (const AtomsOfLoad& one : t.atoms) write_deepest_sheet(t.outcome.potential, one, *t.outcome.sheet, t.folder);
 }
 
 void tell(const std::optional<std::string>& warning) {
@@ -130,7 +126,8 @@ class Failures {
 }  // namespace
 
 void write_experiment(const StudyOutcome& outcome, const fs::path& work, const fs::path& folder) {
-  const Target target{outcome, outcome.result, work, folder};
+  Target target{outcome, outcome.result, work, folder, {}};
+  if (outcome.sheet) target.atoms = read_atoms(outcome.result.resolved.loads, *outcome.sheet, work);
   Failures failures;
   for (const Write write : documents) failures.guard(write, target);
   std::atomic<std::size_t> next = 0;

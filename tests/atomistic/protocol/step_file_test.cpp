@@ -62,19 +62,19 @@ TEST_F(StepFile, EveryMemberSurvivesToTheLastBit) {
 TEST_F(StepFile, FinishedStepsEndAtTheFirstGap) {
   for (int level : {0, 1, 3}) write_step(step(level), folder);
   EXPECT_EQ(read_finished_steps(folder).size(), 2u);
-  EXPECT_EQ(read_deepest_step(folder)->level, 1);
+  EXPECT_EQ(read_way_there(folder).back().level, 1);
   Step back = step(2);
   back.unloading = true;
   write_step(back, folder);
   fs::remove(folder / step_file_name(3));
   EXPECT_EQ(read_finished_steps(folder).size(), 3u);
-  EXPECT_EQ(read_deepest_step(folder)->level, 1) << "the way back is not the deepest";
+  EXPECT_EQ(read_way_there(folder).back().level, 1) << "the way back is not the deepest";
   Step search = step(3);
   search.search = true;
   write_step(search, folder);
   EXPECT_TRUE(read_step(folder / step_file_name(3)).search);
-  EXPECT_EQ(read_deepest_step(folder)->level, 1) << "nor is a search";
-  EXPECT_FALSE(read_deepest_step(folder / "nowhere"));
+  EXPECT_EQ(read_way_there(folder).back().level, 1) << "nor is a search";
+  EXPECT_TRUE(read_way_there(folder / "nowhere").empty());
 }
 
 /// A path of a large sheet would not fit into the memory otherwise.
@@ -87,7 +87,10 @@ TEST_F(StepFile, OldStepsAreReadWithoutTheirVectors) {
   EXPECT_EQ(steps[8].factorised_at.size(), 0);
   for (int level : {7, 8, 9}) EXPECT_EQ(steps[level].positions.size(), step(level).positions.size());
   EXPECT_EQ(steps[9].factorised_at.size(), step(9).factorised_at.size());
-  EXPECT_EQ(read_deepest_step(folder)->forces.size(), step(9).forces.size());
+  const std::vector<Step> there = read_way_there(folder);
+  EXPECT_EQ(there.back().forces.size(), step(9).forces.size());
+  EXPECT_EQ(there[2].positions, step(2).positions);
+  EXPECT_EQ(there[2].forces.size(), 0);
 }
 
 TEST_F(StepFile, AFileCutShortIsRefusedByName) {
