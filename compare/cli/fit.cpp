@@ -2,22 +2,21 @@
 
 #include <spdlog/spdlog.h>
 
-#include <exception>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "atomistic/protocol/math_threads.hpp"
 #include "compare/base/errors.hpp"
-#include "compare/base/file.hpp"
+#include "compare/base/interrupt.hpp"
 #include "compare/base/paths.hpp"
 #include "compare/base/terminal.hpp"
 #include "compare/cli/fit_flags.hpp"
+#include "compare/cli/fit_many.hpp"
 #include "compare/documents/fit_files.hpp"
 #include "compare/documents/texts/json.hpp"
+#include "compare/documents/texts/many_text.hpp"
 #include "compare/documents/texts/measured_report.hpp"
-#include "compare/fitting/measured_fit.hpp"
 #include "compare/potential/potential_card.hpp"
 #include "compare/process/document_folder.hpp"
 #include "compare/process/provenance.hpp"
@@ -37,64 +36,38 @@ std::optional<PotentialCard> card_of(const FitFlags& flags) {
   return card;
 }
 
-/// Of several curves one that cannot be read or fitted does not stop the others; of one alone it is the command's
-/// error, and so is what every one of them fails of.
-class Failures {
- public:
-  explicit Failures(Result& result) : result_(result) {}
-
-  void try_on(const std::string& name, const std::function<void()>& work) {
-    try {
-      work();
-    } catch (const Error& error) {
-      if (error.exit_code() != ExitCode::bad_input) throw;
-      if (!first_) first_ = std::current_exception();
-      result_.unfitted.push_back({name, error.what()});
-    }
+std::optional<std::filesystem::path> partial_of(const FitFlags& flags) {
+  if (!flags.output.out) {
+    if (flags.resume) throw bad_input("--resume: needs the --out that was begun");
+    return std::nullopt;
   }
-
-  void settle() const {
-    if (first_ && result_.curves.empty()) std::rethrow_exception(first_);
-    for (const UnfittedCurve& curve : result_.unfitted) spdlog::warn("not fitted: {}", curve.reason);
-  }
-
- private:
-  Result& result_;
-  std::exception_ptr first_;
-};
-
-void fit_all(const FitFlags& flags, const std::optional<PotentialCard>& card, Result& result) {
-  const MeasuredRequest request = request_of(flags);
-  Failures failures(result);
-  const auto fit_one = [&](const MeasuredCurve& curve) {
-    FittedCurve fitted = evaluate(curve, options_of(flags, curve, card));
-    fitted.notes.insert(fitted.notes.begin(), curve.notes.begin(), curve.notes.end());
-    result.curves.push_back(std::move(fitted));
-  };
-  for (const std::string& file : flags.files)
-    failures.try_on(file, [&] {
-      for (const MeasuredCurve& curve : read_measured(file, request))
-        failures.try_on(curve.file.string(), [&] { fit_one(curve); });
-    });
-  failures.settle();
+  std::filesystem::path file = std::filesystem::absolute(*flags.output.out).lexically_normal();
+  if (!file.has_filename()) file = file.parent_path();
+  return file += ".partial.csv";
 }
 
-int fit(const FitFlags& flags) {
+void print_all(const Result& result) {
+  for (const FittedCurve& curve : result.curves) print_text(measured_text(curve) + "\n");
+  if (result.many) print_text(many_text(*result.many));
+}
+
+int fit(FitFlags flags) {
+  take_settings(flags);
+  catch_interrupts();
   atomistic::use_one_math_thread();
   Result result;
   result.command = Command::fit;
   result.provenance = provenance(command_line());
   const std::optional<PotentialCard> card = card_of(flags);
   // Everything is read and checked before anything is written.
-  fit_all(flags, card, result);
+  fit_curves(flags, card, partial_of(flags), result);
   if (flags.output.out) {
     OutputFolder folder(*flags.output.out, flags.output.overwrite);
     write_fit_files(result, folder.drafts());
     folder.finish(0);
   }
   if (!flags.json.empty()) write_json(result, flags.json);
-  if (flags.json != "-")
-    for (const FittedCurve& curve : result.curves) print_text(measured_text(curve) + "\n");
+  if (flags.json != "-") print_all(result);
   return 0;
 }
 
@@ -102,12 +75,16 @@ constexpr const char* fit_examples =
     R"TXT(A file is an instrument's (validate curve --help lists the formats) or a table with units in its header:
 depth_nm,force_nN or "depth (nm)", "force [nN]". Lines of the form
 "# radius: 0.5 um" (also nu, tip, tip-radius) stand in for flags that are not given. validate model lists the models.
+Of more than 20 curves each is a row of curves.csv, without a drawing of its own; on all cores.
+Tables of --settings: [hole] radius; [tip] tip, tip-radius; [cantilever] spring-constant, sensitivity, sensitivity-error;
+[sheet] nu, bending, potential, third-order; [fit] all others. Values are texts like the flags': radius = "0.50 ± 0.01 um".
 
 Examples:
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
   validate fit *.csv --radius "0.50 ± 0.01 um" --nu 0.165 --tip-radius "16.5 ± 2 nm" --contact fit --out fits
   validate fit runs/indentation-airebo-R110/curves.csv --run 1 --radius "110 A" --nu 0.36 --tip disc --tip-radius "10 A"
-  validate fit map.jpk-force-map --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm"
+  validate fit map.jpk-force-map --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --out map
+  validate fit folder --settings fit.toml --out drums --resume
   validate fit curve.csv --radius "0.5 um" --tip disc --tip-radius "16.5 nm" --potential lcbop
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --tip-radius "16.5 nm" --third-order "-690 N/m" --bending 1.4
   validate fit curve.csv --radius "0.5 um" --nu 0.165 --model foeppl --tip disc --weights relative --json -)TXT";
@@ -117,7 +94,7 @@ Examples:
 void add_fit(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("fit", "E·h and pretension of measured force-depth curves");
   const auto flags = std::make_shared<FitFlags>();
-  command->add_option("files", flags->files, "measured curves, of any format of validate curve")
+  command->add_option("files", flags->files, "measured curves, of any format of validate curve, or folders of them")
       ->required()
       ->type_name("FILE");
   const auto text = [&](const char* name, std::string& value, const char* meaning, const char* type = "VALUE") {
@@ -150,7 +127,10 @@ void add_fit(CLI::App& app, int& exit_code) {
   text("--sensitivity-error", flags->sensitivity_error, "relative error of the deflection, 5 % say", "NUMBER");
   text("--depth-min", flags->depth_min, "smallest depth used");
   text("--depth-max", flags->depth_max, "largest depth used");
-  text("--baseline", flags->baseline, "take off the mean force of the points up to this depth");
+  text("--baseline", flags->baseline,
+       "taken off the forces: tilt, a line before the contact; level; none; or the mean up to this depth; default tilt "
+       "for instruments' curves, none for tables",
+       "NAME|VALUE");
   text("--contact", flags->contact,
        "depth of the contact point, or 'fit' to find it and the zero of force with the rest; default 0");
   command->add_flag("--fit-force-zero", flags->fit_force_zero, "the zero of force is one more parameter");
@@ -160,6 +140,9 @@ void add_fit(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(0, 100000).description(""));
   command->add_option("--seed", flags->seed, "of the draws; default 1")->type_name("N");
+  text("--settings", flags->settings, "TOML file with the same names as keys; flags come first", "FILE");
+  command->add_flag("--resume", flags->resume, "go on with the curves of an --out that was not finished");
+  command->add_flag("--quiet", flags->quiet, "no progress");
   add_output_options(*command, flags->output, "folder for plots and fit.json; default: none");
   text("--json", flags->json, "write the numbers there; - is stdout", "FILE");
   command->footer(fit_examples);

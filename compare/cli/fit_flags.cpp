@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/field_value.hpp"
+#include "compare/base/toml_file.hpp"
 #include "compare/instruments/si_quantity.hpp"
 
 namespace validate {
@@ -49,6 +51,7 @@ Uncertain need(const Field& field, const Given& value) {
 }
 
 Weighting weighting(const std::string& name) {
+  if (name.empty()) return Weighting::automatic;
   const std::string chosen = parse_text(Field{.name = "weights", .choices = weight_names}, name, "--weights");
   return chosen == "relative"  ? Weighting::relative
          : chosen == "sigma"   ? Weighting::sigma
@@ -99,11 +102,33 @@ std::vector<int> curve_numbers(const std::string& list) {
 
 }  // namespace
 
+void take_settings(FitFlags& flags) {
+  if (flags.settings.empty()) return;
+  FitFlags said;
+  TomlFile(flags.settings, "--settings").read(said);
+  std::vector<std::string*> texts;
+  std::vector<bool*> switches;
+  const auto collect = [&](const Field&, auto& value) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>)
+      switches.push_back(&value);
+    else
+      texts.push_back(&value);
+  };
+  describe(said, collect);
+  describe(flags, collect);
+  for (std::size_t i = 0, n = texts.size() / 2; i < n; ++i)
+    if (texts[n + i]->empty()) *texts[n + i] = *texts[i];
+  for (std::size_t i = 0, n = switches.size() / 2; i < n; ++i) *switches[n + i] = *switches[n + i] || *switches[i];
+}
+
 MeasuredRequest request_of(const FitFlags& flags) {
   MeasuredRequest request{.columns = {flags.depth_column, flags.force_column, flags.sigma_column}};
-  const std::string segment = parse_text(with_words<SegmentKind>(Field{.name = "segment"}), flags.segment, "--segment");
-  request.segment = from_word<SegmentKind>(segment).value();
+  if (!flags.segment.empty())
+    request.segment = from_word<SegmentKind>(
+                          parse_text(with_words<SegmentKind>(Field{.name = "segment"}), flags.segment, "--segment"))
+                          .value();
   request.curves = curve_numbers(flags.curves);
+  request.baseline = from_word<Baseline>(flags.baseline);
   if (!flags.spring_constant.empty())
     request.calibration.spring_constant_N_per_m =
         N_per_m_per_eV_per_A2 * with_unit(Field{"spring-constant", unit::membrane_force, "", positive()},
@@ -138,7 +163,7 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
   const Given spring = given("spring-constant", flags.spring_constant, curve);
   if (!spring.text.empty()) {
     const Uncertain k = with_unit(Field{"spring-constant", unit::membrane_force, "", positive()}, spring);
-    o.spring_constant_eV_per_A2 = k.value;
+    o.spring_constant_eV_per_A2 = curve.spring_constant_eV_per_A2.value_or(k.value);
     o.errors.force_scale_relative = k.error / k.value;
   } else {
     o.spring_constant_eV_per_A2 = curve.spring_constant_eV_per_A2;
@@ -148,7 +173,7 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
   o.sigma_force_eV_per_A = known(Field{"sigma-force", unit::force, "", positive()}, flags.sigma_force);
   o.sigma_depth_A = known(Field{"sigma-depth", unit::length, "", not_negative()}, flags.sigma_depth);
   o.physics = physics_of(flags, card, o.geometry);
-  o.model = flags.model;
+  if (!flags.model.empty()) o.model = flags.model;
   const ClosedForm& form = closed_form(o.model, "--model");
   if (form.pressure) throw bad_input("--model: '{}' gives a pressure, not a force", o.model);
   const Given shape = given("tip", flags.tip, curve);
@@ -163,9 +188,11 @@ MeasuredOptions options_of(const FitFlags& flags, const MeasuredCurve& curve,
       depth_max{"depth-max", unit::length, "", positive()};
   o.depth_min_A = known(depth_min, flags.depth_min);
   o.depth_max_A = known(depth_max, flags.depth_max);
-  o.baseline_to_A = known(Field{"baseline", unit::length, "", any_number()}, flags.baseline);
-  const bool contact = flags.contact == "fit" || (flags.contact.empty() && curve.zeros_unknown);
-  o.free = {contact, contact || flags.fit_force_zero, flags.fit_slope};
+  if (!from_word<Baseline>(flags.baseline))
+    o.baseline_to_A = known(Field{"baseline", unit::length, "", any_number()}, flags.baseline);
+  const bool contact = flags.contact == "fit" || (flags.contact.empty() && curve.preparation);
+  const bool tilted = curve.preparation && curve.preparation->baseline == Baseline::tilt;
+  o.free = {contact, contact || flags.fit_force_zero, flags.fit_slope || tilted};
   if (!o.free.contact) o.contact_A = known(Field{"contact", unit::length, "", any_number()}, flags.contact).value_or(0);
   o.weighting = weighting(flags.weights);
   o.bootstrap_samples = flags.bootstrap;

@@ -24,6 +24,7 @@
 #include "compare/base/terminal.hpp"
 #include "compare/cli/bulge.hpp"
 #include "compare/cli/curve.hpp"
+#include "compare/cli/design.hpp"
 #include "compare/cli/figure.hpp"
 #include "compare/cli/fit.hpp"
 #include "compare/cli/flags.hpp"
@@ -49,6 +50,7 @@ struct Command {
 constexpr std::array commands = {
     Command{"bulge", validate::add_bulge},
     Command{"curve", validate::add_curve},
+    Command{"design", validate::add_design},
     Command{"figure", validate::add_figure},
     Command{"fit", validate::add_fit},
     Command{"indentation", validate::add_indentation},

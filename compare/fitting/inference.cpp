@@ -55,7 +55,7 @@ Uncertainty uncertainty(const Likelihood& likelihood, const LikelihoodMaximum& b
 
 void read_zeros(const Likelihood& likelihood, const LikelihoodMaximum& best, Fit& fit) {
   if (const int i = likelihood.contact_index(); i >= 0) {
-    fit.contact_nm = nm_per_A * best.theta[i];
+    fit.contact_nm = nm_per_A * likelihood.contact_depth(best.theta);
     fit.contact_stderr_nm = nm_per_A * uncertainty(likelihood, best, i, 0).standard_error;
   }
   if (const int i = likelihood.force_zero_index(); i >= 0) {
@@ -77,7 +77,9 @@ void read_noise(const Likelihood& likelihood, const LikelihoodMaximum& best, Fit
 void read_residuals(const Likelihood& likelihood, const LikelihoodMaximum& best, Fit& fit) {
   const CurvePoints& points = likelihood.points();
   const Likelihood::Prediction p = likelihood.prediction(best.theta);
-  fit.fitted_depth_A = points.depth_A;
+  // At the same position of the piezo the curve is deeper where the force is less.
+  for (std::size_t i = 0; i < p.miss.size(); ++i)
+    fit.fitted_depth_A.push_back(points.depth_A[i] + points.compliance_A2_per_eV * p.miss[i]);
   fit.residual_eV_per_A = p.miss;
   double squares = 0, chi2 = 0;
   for (std::size_t i = 0; i < p.miss.size(); ++i) {
@@ -107,8 +109,11 @@ void bootstrap(const CurvePoints& points, const ForceModel& model, const Inferen
   double n = 0, Eh = 0, Eh2 = 0, pretension = 0, pretension2 = 0;
   for (int sample = 0; sample < options.bootstrap_samples; ++sample) {
     CurvePoints drawn = points;
-    for (std::size_t i = 0; i < drawn.force_eV_per_A.size(); ++i)
-      drawn.force_eV_per_A[i] += p.sigma[i] * normal() - p.miss[i];
+    for (std::size_t i = 0; i < drawn.force_eV_per_A.size(); ++i) {
+      const double change = p.sigma[i] * normal() - p.miss[i];
+      drawn.force_eV_per_A[i] += change;
+      drawn.depth_A[i] -= drawn.compliance_A2_per_eV * change;
+    }
     Likelihood other(std::move(drawn), model, options.free, options.inputs);
     other.take_slopes(best.theta);
     const LikelihoodMaximum found = maximise(other, best.theta);

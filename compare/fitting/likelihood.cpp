@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "compare/fitting/cantilever.hpp"
+
 namespace validate {
 
 using Eigen::MatrixXd;
@@ -17,6 +19,7 @@ constexpr int most_parameters = 16;
 CurvePoints selected(const CurvePoints& points, const std::vector<std::size_t>& which) {
   CurvePoints some;
   some.noise = points.noise;
+  some.compliance_A2_per_eV = points.compliance_A2_per_eV;
   some.noise.force_weight.clear();
   for (const std::size_t i : which) {
     some.depth_A.push_back(points.depth_A[i]);
@@ -52,13 +55,14 @@ Likelihood::Likelihood(CurvePoints points, ForceModel model, FreeZeros free, std
   count_ += static_cast<int>(inputs_.size());
   if (!points_.noise.force_eV_per_A) force_noise_ = count_++;
   if (!points_.noise.depth_A) depth_noise_ = count_++;
-  std::vector<double> depth = points_.depth_A;
-  std::ranges::sort(depth);
-  deepest_ = depth.back() - depth.front();
+  along_ = points_.depth_A;
+  for (std::size_t i = 0; i < along_.size(); ++i) along_[i] += points_.compliance_A2_per_eV * points_.force_eV_per_A[i];
+  const auto [least, most] = std::ranges::minmax(along_);
+  deepest_ = most - least;
   // What no point is known better than: else a curve without noise would be infinitely likely.
   rounding_ =
       1e-8 * std::abs(*std::ranges::max_element(points_.force_eV_per_A, {}, [](double f) { return std::abs(f); }));
-  const double typical = deepest_ / static_cast<double>(std::max<std::size_t>(depth.size() - 1, 1));
+  const double typical = deepest_ / static_cast<double>(std::max<std::size_t>(along_.size() - 1, 1));
   contact_width_ = std::max(points_.noise.depth_A.value_or(0), typical / 2);
 }
 
@@ -87,8 +91,13 @@ struct Likelihood::Mean {
 };
 
 Likelihood::Sheets Likelihood::sheets(const VectorXd& theta) const {
-  Sheets s{curve_of(model_, theta[0], theta[1]), {}};
-  for (const UncertainInput& input : inputs_) s.larger.push_back(curve_of(input.larger, theta[0], theta[1]));
+  const auto seen = [&](const ForceModel& model) {
+    ForceCurve curve = curve_of(model, theta[0], theta[1]);
+    const double compliance = points_.compliance_A2_per_eV;
+    return compliance > 0 ? in_series(std::move(curve), compliance) : curve;
+  };
+  Sheets s{seen(model_), {}};
+  for (const UncertainInput& input : inputs_) s.larger.push_back(seen(input.larger));
   return s;
 }
 
@@ -158,30 +167,25 @@ namespace {
 
 /// Of a point's errors, seen from a curve of a slope there.
 struct Errors {
-  double force2, depth2, by_force, rounding2;
+  double force2, depth2, rounding2;
 
-  double variance(double slope) const {
-    return force2 * std::pow(1 - slope * by_force, 2) + slope * slope * depth2 + rounding2;
-  }
+  double variance(double slope) const { return force2 + slope * slope * depth2 + rounding2; }
   /// Error of the depth that goes with a miss of the force, per miss: half of −d ln v/d slope.
-  double share(double slope) const {
-    return (force2 * by_force * (1 - slope * by_force) - slope * depth2) / variance(slope);
-  }
+  double share(double slope) const { return -slope * depth2 / variance(slope); }
   double share_by_slope(double slope) const {
     const double s = share(slope);
-    return 2 * s * s - (by_force * by_force * force2 + depth2) / variance(slope);
+    return 2 * s * s - depth2 / variance(slope);
   }
   /// Variance of the depth that is left when the miss is known.
   double left(double slope) const {
     const double s = share(slope);
-    return std::max(depth2 + by_force * by_force * force2 - s * s * variance(slope), 0.0);
+    return std::max(depth2 - s * s * variance(slope), 0.0);
   }
   /// Derivatives over σ_F² and σ_d².
-  std::array<double, 2> variance_by(double slope) const { return {std::pow(1 - slope * by_force, 2), slope * slope}; }
+  std::array<double, 2> variance_by(double slope) const { return {1, slope * slope}; }
   std::array<double, 2> share_by(double slope) const {
-    const auto v = variance_by(slope);
     const double s = share(slope), all = variance(slope);
-    return {(by_force * (1 - slope * by_force) - s * v[0]) / all, (-slope - s * v[1]) / all};
+    return {-s / all, (-slope - s * slope * slope) / all};
   }
 };
 
@@ -192,11 +196,10 @@ Likelihood::Local Likelihood::local(std::size_t i, const VectorXd& theta, const 
   const double weight = noise.force_weight.empty() ? 1 : noise.force_weight[i];
   const double force2 = force_noise_ >= 0 ? theta[force_noise_] : std::pow(*noise.force_eV_per_A, 2);
   const Errors errors{weight * weight * force2,
-                      depth_noise_ >= 0 ? theta[depth_noise_] : *noise.depth_A * *noise.depth_A, noise.depth_by_force,
-                      rounding_ * rounding_};
+                      depth_noise_ >= 0 ? theta[depth_noise_] : *noise.depth_A * *noise.depth_A, rounding_ * rounding_};
   const std::array<double, 2> by_theta = {weight * weight, 1};  // over θ itself: σ_F² and σ_d²
   const std::array<int, 2> noises = {force_noise_, depth_noise_};
-  const double depth = points_.depth_A[i] - (contact_ >= 0 ? theta[contact_] : 0);
+  const double depth = along_[i] - (contact_ >= 0 ? theta[contact_] : 0);
   // The curve stands for its mean over the errors of the depth, which its bend raises.
   const double force = points_.force_eV_per_A[i] + (bends_.empty() ? 0 : bends_[i]);
 
@@ -204,7 +207,7 @@ Likelihood::Local Likelihood::local(std::size_t i, const VectorXd& theta, const 
   Mean m = mean(depth, theta, sheets);
   double likely = depth;
   Local::Row likely_by = Local::Row::Zero(count_);
-  if (errors.depth2 > 0 || errors.by_force != 0) {
+  if (errors.depth2 > 0) {
     const double away = force - m.force, share = errors.share(m.slope);
     likely -= share * away;
     likely_by = share * m.by - away * errors.share_by_slope(m.slope) * m.slope_by;
@@ -295,6 +298,11 @@ Likelihood::Prediction Likelihood::prediction(const VectorXd& theta) const {
   return p;
 }
 
+double Likelihood::contact_depth(const VectorXd& theta) const {
+  const double zero = force_zero_ >= 0 ? theta[force_zero_] : 0;
+  return contact_ >= 0 ? theta[contact_] - points_.compliance_A2_per_eV * zero : 0;
+}
+
 VectorXd Likelihood::start() const {
   constexpr int contacts = 40;
   const auto& d = points_.depth_A;
@@ -325,8 +333,9 @@ VectorXd Likelihood::start() const {
     least = sum;
     best[0] = p[0];
     best[1] = p[1];
-    if (contact_ >= 0) best[contact_] = contact;
     if (force_zero_ >= 0) best[force_zero_] = p[2];
+    if (contact_ >= 0)
+      best[contact_] = contact + (force_zero_ >= 0 ? points_.compliance_A2_per_eV * best[force_zero_] : 0);
     if (slope_ >= 0) best[slope_] = p[columns.cols() - 1];
   }
   if (!std::isfinite(least)) {

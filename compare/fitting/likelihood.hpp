@@ -16,13 +16,15 @@ namespace validate {
 struct Noise {
   std::vector<double> force_weight;      ///< σ_F of each point over `force_eV_per_A`; empty: all 1
   std::optional<double> force_eV_per_A;  ///< σ_F, or what it is a multiple of
-  std::optional<double> depth_A = 0;     ///< σ_d
-  double depth_by_force = 0;             ///< ∂d/∂F of the instrument, Å²/eV: raw depth z − F/k has −1/k
+  std::optional<double> depth_A = 0;     ///< σ_d; of the piezo's position where there is a cantilever
 };
 
 struct CurvePoints {
   std::vector<double> depth_A, force_eV_per_A;  ///< as they stand in the file, before and after the contact
   Noise noise;
+  /// 1/k of the cantilever that the depths are made with, d = z − F/k (Å²/eV), F's error in both; 0: depths of their
+  /// own.
+  double compliance_A2_per_eV = 0;
 };
 
 /// These points of a curve.
@@ -43,10 +45,11 @@ struct UncertainInput {
 
 /// −2 ln L of parameters θ = [E·h, σ0·h, contact?, force zero?, slope?, one z per input, σ_F²?, σ_d²?], in eV and Å, z
 /// in standard errors. Each point stands for the place on the curve that its errors make most likely (orthogonal
-/// distance, one projection); there the curve is a line, and the miss r = F − b − F(d) has the variance v = σ_F² (1 −
-/// F′ ∂d/∂F)² + F′² σ_d²; its mean from the curve's bend is taken off. −2 ln L = Σ r²/v + Σ z² + Σ ln v, the last with
-/// slopes that are held (take_slopes): a slope that lowered its own ln v would be drawn down, by σ_d²/d² of a straight
-/// line. Fuller, Measurement Error Models, 1987, §§ 1.3, 3.2.
+/// distance, one projection); there the curve is a line, and the miss r = F − b − F(d) has the variance v = σ_F² +
+/// F′² σ_d²; its mean from the curve's bend is taken off. Depths made with a cantilever are turned back into positions
+/// z of the piezo, and F(z) is that of sheet and cantilever in series: contact and slope of the baseline are along z
+/// then. −2 ln L = Σ r²/v + Σ z² + Σ ln v, the last with slopes that are held (take_slopes): a slope that lowered its
+/// own ln v would be drawn down, by σ_d²/d² of a straight line. Fuller, Measurement Error Models, 1987, §§ 1.3, 3.2.
 class Likelihood {
  public:
   Likelihood(CurvePoints points, ForceModel model, FreeZeros free, std::vector<UncertainInput> inputs = {});
@@ -68,6 +71,8 @@ class Likelihood {
   int parameter_count() const { return count_; }
   int contact_index() const { return contact_; }
   int force_zero_index() const { return force_zero_; }
+  /// Depth of the contact among the points' depths, at a contact and force zero of θ.
+  double contact_depth(const Eigen::VectorXd& theta) const;
   int slope_index() const { return slope_; }
   int first_input() const { return first_input_; }
   int force_noise_index() const { return force_noise_; }  ///< −1: known
@@ -93,6 +98,7 @@ class Likelihood {
   Local local(std::size_t point, const Eigen::VectorXd& theta, const Sheets& sheets) const;
 
   CurvePoints points_;
+  std::vector<double> along_;  ///< what the curve is over: depth, or the piezo's position
   ForceModel model_;
   std::vector<UncertainInput> inputs_;
   int count_ = 2, contact_ = -1, force_zero_ = -1, slope_ = -1, first_input_ = -1, force_noise_ = -1, depth_noise_ = -1;

@@ -34,6 +34,7 @@ FittedCurve described(const MeasuredCurve& curve, const MeasuredOptions& options
   result.depth_column = curve.depth_column;
   result.force_column = curve.force_column;
   result.points_read = static_cast<int>(curve.depth_A.size());
+  result.preparation = curve.preparation;
   if (options.physics) result.continuum = options.physics->name;
   return result;
 }
@@ -83,6 +84,31 @@ MembraneTip tip_of(const ModelGeometry& m, bool sphere, const std::optional<Shee
   return tip;
 }
 
+}  // namespace
+
+SheetModel sheet_model(const MeasuredOptions& options, const std::optional<SheetPhysics>& physics,
+                       const TableRange& range) {
+  const MembraneTip tip = tip_of(options.geometry, options.sphere, physics);
+  SheetModel sheet{sheet_table(tip, range), {}};
+  sheet.inputs = instrument_inputs(sheet.model, options);
+  for (const auto& [name, member] : geometry_inputs) {
+    if (!(options.errors.geometry.*member > 0)) continue;
+    MembraneTip other = tip;
+    ModelGeometry geometry = options.geometry;
+    geometry.*member += options.errors.geometry.*member;
+    other.a_A = geometry.a_A;
+    other.nu = geometry.nu;
+    other.tip_A = geometry.tip_A;
+    if (other.physics) other.physics->bending_eV = geometry.bending_eV;
+    if (std::string_view(name) == "nu" && physics) continue;  // the law has its own
+    if (std::string_view(name) == "bending" && !physics) continue;
+    sheet.inputs.push_back({name, with_tip(sheet.model, tip, other, range)});
+  }
+  return sheet;
+}
+
+namespace {
+
 /// Where a continuum is tabulated about.
 struct Guess {
   double Eh = 1, most_pretension = 0;  ///< eV/Å²; its larger end
@@ -98,7 +124,7 @@ struct Guess {
   Guess(const Likelihood& likelihood, const LikelihoodMaximum& best)
       : Eh(best.theta[0]), most_pretension(best.theta[1] + 2 * std::sqrt(best.covariance(1, 1))) {
     if (const int i = likelihood.contact_index(); i >= 0) {
-      contact_A = best.theta[i];
+      contact_A = likelihood.contact_depth(best.theta);
       contact_error_A = std::sqrt(best.covariance(i, i));
     }
   }
@@ -145,23 +171,8 @@ class ContinuumFit {
   }
 
   std::variant<Fit, std::string> with_table() {
-    const MembraneTip tip = tip_of(options_.geometry, options_.sphere, physics_);
-    const ForceModel table = sheet_table(tip, range_);
-    InferenceOptions inference{options_.free, instrument_inputs(table, options_), options_.bootstrap_samples,
-                               options_.seed};
-    for (const auto& [name, member] : geometry_inputs) {
-      if (!(options_.errors.geometry.*member > 0)) continue;
-      MembraneTip other = tip;
-      ModelGeometry geometry = options_.geometry;
-      geometry.*member += options_.errors.geometry.*member;
-      other.a_A = geometry.a_A;
-      other.nu = geometry.nu;
-      other.tip_A = geometry.tip_A;
-      if (other.physics) other.physics->bending_eV = geometry.bending_eV;
-      if (std::string_view(name) == "nu" && physics_) continue;  // the law has its own
-      if (std::string_view(name) == "bending" && !physics_) continue;
-      inference.inputs.push_back({name, with_tip(table, tip, other, range_)});
-    }
+    const auto [table, inputs] = sheet_model(options_, physics_, range_);
+    const InferenceOptions inference{options_.free, inputs, options_.bootstrap_samples, options_.seed};
     const bool torn = table.deepest_A < range_.deepest_A * (1 - 1e-6);
     auto found = infer(torn ? up_to(points_, table.deepest_A) : points_, table, inference);
     if (Fit* fit = std::get_if<Fit>(&found)) {
@@ -205,12 +216,21 @@ void add_continuum(FittedCurve& result, const CurvePoints& points, const Measure
   result.skipped += fmt::format("{}{}: {}", result.skipped.empty() ? "" : "; ", name, reason);
 }
 
+void add_closed_form(FittedCurve& result, const CurvePoints& points, const MeasuredOptions& options) {
+  auto closed = fit_closed_form(points, options, options.model);
+  if (const auto* reason = std::get_if<std::string>(&closed)) throw bad_input("{}: {}", result.file, *reason);
+  result.fits.push_back(std::get<Fit>(std::move(closed)));
+  result.fits.back().model = options.model;
+  if (!options.quoted_alone) result.fits.back().scan = scan_of(points, options);
+}
+
 /// What the recommended sheet, whose constants the fit says, is read as by the closed form at the same depths.
 void add_bias(FittedCurve& result, const CurvePoints& points, const MeasuredOptions& options) {
   const Fit* known = recommended_fit(result.fits);
   Fit* closed = closed_form_fit(result.fits);
   if (!known || !closed || known->torn_at_A || known->fitted_depth_A.size() != points.depth_A.size()) return;
   CurvePoints exact = points;
+  exact.depth_A = known->fitted_depth_A;
   exact.force_eV_per_A = known->model_force_eV_per_A;
   const ForceModel model = force_model(closed_form(options.model, "--model").make(options.geometry));
   Likelihood likelihood(std::move(exact), model, options.free);
@@ -253,13 +273,13 @@ FittedCurve evaluate(const MeasuredCurve& curve, const MeasuredOptions& options)
   const CurvePoints points = measured_points(curve, options, result.baseline_eV_per_A);
   result.depth_A = points.depth_A;
   result.force_eV_per_A = points.force_eV_per_A;
-  auto closed = fit_closed_form(points, options, options.model);
-  if (const auto* reason = std::get_if<std::string>(&closed)) throw bad_input("{}: {}", result.file, *reason);
-  result.fits.push_back(std::get<Fit>(std::move(closed)));
-  result.fits.front().model = options.model;
-  result.fits.front().scan = scan_of(points, options);
-  const Guess start = shallow_guess(points, options).value_or(Guess(result.fits.front()));
-  add_continuum(result, points, options, std::nullopt, start);
+  std::optional<Guess> start = shallow_guess(points, options);
+  if (!options.quoted_alone || !start) {
+    add_closed_form(result, points, options);
+    if (!start) start = Guess(result.fits.front());
+  }
+  add_continuum(result, points, options, std::nullopt, *start);
+  if (result.fits.empty()) add_closed_form(result, points, options);
   if (options.physics) add_continuum(result, points, options, options.physics, Guess(result.fits.back()));
   recommend(result);
   add_bias(result, points, options);

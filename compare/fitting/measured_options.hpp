@@ -36,6 +36,7 @@ struct MeasuredOptions {
   Weighting weighting = Weighting::automatic;
   std::optional<double> sigma_force_eV_per_A, sigma_depth_A;  ///< noise; absent: the file's, else estimated
   std::optional<double> spring_constant_eV_per_A2;            ///< of the cantilever
+  bool quoted_alone = false;  ///< of many curves: the closed form only where the membrane cannot be fitted, no scan
   int bootstrap_samples = 0;
   std::uint32_t seed = 1;
 };

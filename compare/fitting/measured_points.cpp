@@ -115,7 +115,7 @@ CurvePoints measured_points(const MeasuredCurve& measured, const MeasuredOptions
   Selected selected = select_points(curve, options, baseline_eV_per_A);
   check_sign(selected.points, file);
   selected.points.noise = noise_of(selected, options, file);
-  if (curve.depth_from_height) selected.points.noise.depth_by_force = -1 / *options.spring_constant_eV_per_A2;
+  if (curve.depth_from_height) selected.points.compliance_A2_per_eV = 1 / *options.spring_constant_eV_per_A2;
   return std::move(selected.points);
 }
 

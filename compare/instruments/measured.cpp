@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "compare/base/errors.hpp"
 #include "compare/base/units.hpp"
 #include "compare/instruments/measured_columns.hpp"
+#include "compare/instruments/prepare.hpp"
 
 namespace validate {
 namespace {
@@ -41,65 +43,31 @@ std::vector<double> taken(const RecordedColumn& column, const std::vector<std::s
   return values;
 }
 
-double mean_of(const std::vector<double>& values, std::size_t from, std::size_t to) {
-  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(from),
-                         values.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
-         static_cast<double>(std::max<std::size_t>(to - from, 1));
-}
-
-/// Forces in order of the depth.
-std::vector<double> forces_along(const MeasuredCurve& curve, std::vector<double>* depths = nullptr) {
-  std::vector<std::size_t> order(curve.depth_A.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return curve.depth_A[i]; });
-  std::vector<double> forces;
-  for (const std::size_t i : order) {
-    forces.push_back(curve.force_eV_per_A[i]);
-    if (depths) depths->push_back(curve.depth_A[i]);
-  }
-  return forces;
-}
-
-void turn(std::vector<double>& values) {
-  for (double& value : values) value = -value;
-}
-
 /// A tip that presses is pushed back: the end that is far from the level of the rest is in the sheet, and the force
 /// there is positive. Depths of a table are taken at their word, heights are turned to grow towards the sample.
 void orient(MeasuredCurve& curve, bool depth_is_known) {
   constexpr std::size_t fewest = 4;
-  const std::vector<double> forces = forces_along(curve);
-  if (forces.size() < fewest) return;
-  const std::size_t few = std::max<std::size_t>(forces.size() / 20, 1);
-  std::vector<double> sorted = forces;
+  const std::size_t n = curve.depth_A.size(), few = std::max<std::size_t>(n / 20, 1);
+  if (n < fewest) return;
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return curve.depth_A[i]; });
+  std::vector<double> sorted = curve.force_eV_per_A;
   std::ranges::sort(sorted);
-  const double level = sorted[sorted.size() / 2];
-  double shallow = mean_of(forces, 0, few) - level, deep = mean_of(forces, forces.size() - few, forces.size()) - level;
+  const double level = sorted[n / 2];
+  double shallow = 0, deep = 0;
+  for (std::size_t i = 0; i < few; ++i) {
+    shallow += (curve.force_eV_per_A[order[i]] - level) / static_cast<double>(few);
+    deep += (curve.force_eV_per_A[order[n - 1 - i]] - level) / static_cast<double>(few);
+  }
   if (!depth_is_known && std::abs(shallow) > std::abs(deep)) {
-    turn(curve.depth_A);
+    for (double& depth : curve.depth_A) depth = -depth;
     std::swap(shallow, deep);
   }
   // Of a table without a flat part the level lies in the middle: what counts is which end is higher.
   if (deep - shallow >= 0 || std::abs(deep) < std::abs(shallow)) return;
-  turn(curve.force_eV_per_A);
+  for (double& force : curve.force_eV_per_A) force = -force;
   curve.notes.push_back("the force falls where the tip presses: its sign is turned");
-}
-
-/// First estimate of the contact: behind the last point that lies within five standard deviations of the first third.
-double contact_of(const MeasuredCurve& curve) {
-  std::vector<double> depths;
-  const std::vector<double> forces = forces_along(curve, &depths);
-  const std::size_t third = std::max<std::size_t>(forces.size() / 3, 1);
-  std::vector<double> sorted(forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(third));
-  std::ranges::sort(sorted);
-  const double level = sorted[third / 2];
-  for (double& force : sorted) force = std::abs(force - level);
-  std::ranges::sort(sorted);
-  const double spread = 1.4826 * sorted[third / 2], highest = std::ranges::max(forces) - level;
-  const double far = std::max(5 * spread, 0.01 * highest);
-  std::size_t at = forces.size() - 1;
-  while (at > 0 && forces[at - 1] - level > far) --at;
-  return depths[at];
 }
 
 std::vector<std::size_t> finite_rows(const MeasuredColumns& columns, Stretch stretch, std::vector<std::string>& notes) {
@@ -109,6 +77,21 @@ std::vector<std::size_t> finite_rows(const MeasuredColumns& columns, Stretch str
   const std::size_t skipped = stretch.to - stretch.from - rows.size();
   if (skipped > 0) notes.push_back(fmt::format("{} rows without a finite depth and force are skipped", skipped));
   return rows;
+}
+
+/// The retract of a cycle whose approach is fitted; empty where there is none.
+WayBack way_back(const Recording& recording, const MeasuredColumns& columns, SegmentKind fitted) {
+  std::size_t from = 0;
+  for (const RecordedSegment& segment : recording.segments) {
+    const std::size_t to = from + static_cast<std::size_t>(segment.points);
+    if (fitted == SegmentKind::approach && segment.kind == SegmentKind::retract) {
+      std::vector<std::string> ignored;
+      const std::vector<std::size_t> rows = finite_rows(columns, {from, to}, ignored);
+      return {taken(columns.depth, rows, A_per_m), taken(columns.force, rows, nN_per_N / nN_per_eV_per_A)};
+    }
+    from = to;
+  }
+  return {};
 }
 
 void take_sigmas(MeasuredCurve& curve, const MeasuredColumns& columns, const std::vector<std::size_t>& rows) {
@@ -125,6 +108,7 @@ void take_sigmas(MeasuredCurve& curve, const MeasuredColumns& columns, const std
 MeasuredCurve measured(const Recording& recording, const MeasuredRequest& request, bool several) {
   MeasuredCurve curve;
   curve.file = several ? fmt::format("{}, curve {}", recording.file, recording.index) : recording.file;
+  curve.source = recording.file;
   curve.remarks = recording.remarks;
   curve.notes = recording.notes;
   const MeasuredColumns columns = measured_columns(recording, request.columns);
@@ -138,31 +122,51 @@ MeasuredCurve measured(const Recording& recording, const MeasuredRequest& reques
   curve.depth_from_height = columns.source == DepthSource::height;
   const double k = recording.metadata.spring_constant_N_per_m;
   if (std::isfinite(k)) curve.spring_constant_eV_per_A2 = k / N_per_m_per_eV_per_A2;
-  orient(curve, columns.source == DepthSource::depth);
-  curve.zeros_unknown = columns.source != DepthSource::depth && recording.headings.empty();
-  if (curve.zeros_unknown && !curve.depth_A.empty()) {
-    const double contact = contact_of(curve);
-    for (double& depth : curve.depth_A) depth -= contact;
-    curve.notes.push_back(fmt::format("heights begin at the first estimate of the contact, {:.6g} nm", contact / 10));
-  }
+  // A table's zeros are taken at their word, but not those of forces that were made of its deflections.
+  curve.zeros_unknown = columns.source != DepthSource::depth &&
+                        (recording.headings.empty() || (recording.columns.force && columns.force.heading.empty()));
+  if (curve.zeros_unknown || request.baseline)
+    prepare(curve, request.baseline.value_or(Baseline::tilt), way_back(recording, columns, request.segment));
+  else
+    orient(curve, columns.source == DepthSource::depth);
   return curve;
 }
 
 }  // namespace
 
-std::vector<MeasuredCurve> read_measured(const std::filesystem::path& file, const MeasuredRequest& request) {
-  const auto recordings = open_recordings(file, request.calibration);
+MeasuredFile::MeasuredFile(const std::filesystem::path& file, MeasuredRequest request)
+    : file_(file), request_(std::move(request)), recordings_(open_recordings(file, request_.calibration)) {}
+
+std::size_t MeasuredFile::size() const { return recordings_->size(); }
+
+std::string MeasuredFile::name(std::size_t i) const {
+  return size() > 1 ? fmt::format("{}, curve {}", file_.string(), i) : file_.string();
+}
+
+std::optional<MeasuredCurve> MeasuredFile::read(std::size_t i) {
+  const Recording recording = recordings_->read(i);
+  there_.push_back(recording.index);
+  if (!request_.curves.empty() && std::ranges::find(request_.curves, recording.index) == request_.curves.end())
+    return std::nullopt;
+  MeasuredCurve curve = measured(recording, request_, size() > 1);
+  curve.index = recording.index;
+  curve.x_nm = 1e9 * recording.metadata.position_x_m;
+  curve.y_nm = 1e9 * recording.metadata.position_y_m;
+  return curve;
+}
+
+void MeasuredFile::check_all_were_there() const {
+  for (const int asked : request_.curves)
+    if (std::ranges::find(there_, asked) == there_.end())
+      throw bad_input("--run: {} has no curve {}; it has {}", file_.string(), asked, fmt::join(there_, ", "));
+}
+
+std::vector<MeasuredCurve> read_measured(const std::filesystem::path& path, const MeasuredRequest& request) {
+  MeasuredFile file(path, request);
   std::vector<MeasuredCurve> curves;
-  std::vector<int> missing = request.curves, there;
-  for (std::size_t i = 0; i < recordings->size(); ++i) {
-    const Recording recording = recordings->read(i);
-    there.push_back(recording.index);
-    std::erase(missing, recording.index);
-    if (request.curves.empty() || std::ranges::find(request.curves, recording.index) != request.curves.end())
-      curves.push_back(measured(recording, request, recordings->size() > 1));
-  }
-  if (!missing.empty())
-    throw bad_input("--run: {} has no curve {}; it has {}", file.string(), missing.front(), fmt::join(there, ", "));
+  for (std::size_t i = 0; i < file.size(); ++i)
+    if (auto curve = file.read(i)) curves.push_back(std::move(*curve));
+  file.check_all_were_there();
   return curves;
 }
 

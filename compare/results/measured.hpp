@@ -1,11 +1,13 @@
 // A measured curve and what was found in it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/base/describe.hpp"
 #include "compare/base/words.hpp"
+#include "compare/input/preparation.hpp"
 #include "compare/results/fit.hpp"
 
 namespace validate {
@@ -25,6 +27,7 @@ struct FittedCurve {
   std::string depth_column, force_column;
   int points_read = 0;
   double baseline_eV_per_A = 0;                 ///< taken off
+  std::optional<CurvePreparation> preparation;  ///< of an instrument's curve
   std::vector<double> depth_A, force_eV_per_A;  ///< the points used, given zeros taken off
   std::vector<Fit> fits;           ///< of the closed form, of the membrane itself, of a sheet of another law
   std::string continuum;           ///< what that last one is, in words; empty: none
@@ -44,6 +47,8 @@ void describe(SameStruct<FittedCurve> auto& curve, auto&& visit) {
   visit(Field{"force_column", unit::none, "column of the file"}, curve.force_column);
   visit(Field{"points_read", unit::none, "points in the file"}, curve.points_read);
   visit(Field{"baseline", unit::force, "taken off the forces"}, curve.baseline_eV_per_A);
+  visit(Field{"preparation", unit::none, "signs, zeros and baseline of an instrument's curve"}.where_known(),
+        curve.preparation);
   visit(Column{"depth", unit::length, "points used, given zeros taken off"}, curve.depth_A);
   visit(Column{"force", unit::force, "points used, given zeros taken off"}, curve.force_eV_per_A);
   visit(Field{"fits", unit::none, "models fitted to this curve"}, curve.fits);

@@ -12,6 +12,8 @@
 #include "compare/input/case.hpp"
 #include "compare/results/card.hpp"
 #include "compare/results/checks.hpp"
+#include "compare/results/design.hpp"
+#include "compare/results/many.hpp"
 #include "compare/results/measured.hpp"
 #include "compare/results/provenance.hpp"
 #include "compare/results/published.hpp"
@@ -24,7 +26,7 @@ namespace validate {
 /// Number of the documents' form, in every one of them.
 inline constexpr int document_schema = 2;
 
-enum class Command { indentation, bulge, fit, potential, figure, verify, batch, published, curve };
+enum class Command { indentation, bulge, fit, potential, figure, verify, batch, published, curve, design };
 constexpr auto words(Command) {
   return std::array{Word{Command::indentation, "indentation"},
                     Word{Command::bulge, "bulge"},
@@ -34,7 +36,8 @@ constexpr auto words(Command) {
                     Word{Command::verify, "verify"},
                     Word{Command::batch, "batch"},
                     Word{Command::published, "published"},
-                    Word{Command::curve, "curve"}};
+                    Word{Command::curve, "curve"},
+                    Word{Command::design, "design"}};
 }
 
 /// The sheet of atoms.
@@ -107,6 +110,8 @@ struct Result {
 
   std::vector<FittedCurve> curves;      ///< fit
   std::vector<UnfittedCurve> unfitted;  ///< fit
+  std::optional<ManyCurves> many;       ///< fit, of more than one curve
+  std::optional<Design> design;         ///< design
   std::vector<FigureResult> figures;    ///< figure
   int passed = 0, failed = 0;           ///< verify
   int outside = 0, itself = 0;          ///< verify: rows by the basis of their reference
@@ -168,6 +173,7 @@ void describe(SameStruct<Result> auto& r, auto&& visit) {
     case Command::fit:
       visit(Field{"curves", unit::none, "measured curves and what was found in them"}, r.curves);
       visit(Field{"unfitted", unit::none, "curves and files of which nothing could be fitted"}, r.unfitted);
+      visit(Field{"many", unit::none, "what more than one curve say together"}.where_known(), r.many);
       break;
     case Command::potential:
       detail::describe_potential(r, visit);
@@ -191,6 +197,9 @@ void describe(SameStruct<Result> auto& r, auto&& visit) {
       break;
     case Command::curve:
       visit(Field{"curves", unit::none, "as the instruments recorded them"}, r.recordings);
+      break;
+    case Command::design:
+      visit(Field{"design", unit::none, "what the experiment will tell"}, r.design);
       break;
   }
   visit(Field{"provenance", unit::none, "program, libraries and files behind the numbers"}, r.provenance);

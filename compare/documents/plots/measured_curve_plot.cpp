@@ -81,6 +81,60 @@ Panel scan_panel(const WindowScan& scan, const std::string& model, const Axis& a
   return panel;
 }
 
+std::vector<double> baseline_at(const CurvePreparation& p, const std::vector<double>& height_A) {
+  std::vector<double> force;
+  for (const double z : height_A) force.push_back(p.level_eV_per_A + p.tilt_eV_per_A2 * (z - p.contact_A));
+  return force;
+}
+
+/// What the instrument wrote, with what is taken off.
+Panel raw_panel(const CurvePreparation& p) {
+  Panel panel{.title = "as recorded",
+              .x = {.label = "height, towards the sample", .unit = "nm", .key = "height_nm"},
+              .y = {.label = "force", .unit = "nN", .key = "force_nN"},
+              .legend = Legend::left_top};
+  panel.curves = {with(force_curve("raw", p.raw_height_A, p.raw_force_eV_per_A, Colour::grey), {}, small),
+                  with(force_curve("baseline", p.raw_height_A, baseline_at(p, p.raw_height_A), Colour::vermilion),
+                       Line{.width = 1}, {})};
+  // Heights count from anywhere: in um their numbers stay short.
+  panel.x.unit = "um";
+  panel.x.key = "height_um";
+  constexpr double um_per_nm = 1e-3;
+  for (PlotCurve& curve : panel.curves) curve.x = times(std::move(curve.x), um_per_nm);
+  panel.marks = {{.along = Along::x, .at = um_per_nm * nm_per_A * p.contact_A, .dash = Dash::dotted}};
+  return panel;
+}
+
+/// The stretch about the contact, in the depths of the fit.
+Panel contact_panel(const FittedCurve& result, const Fit& quoted) {
+  constexpr double share = 0.25;
+  const double deepest = nm_per_A * std::ranges::max(result.depth_A), contact = quoted.contact_nm.value_or(0),
+               reach = share * (deepest - contact);
+  Panel panel = force_panel("force", "force_nN");
+  panel.title = "about the contact";
+  PlotCurve data = force_curve("data", result.depth_A, result.force_eV_per_A, Colour::grey),
+            fit = force_curve(quoted.model, quoted.fitted_depth_A, quoted.model_force_eV_per_A, colour_of_membrane);
+  for (PlotCurve* curve : {&data, &fit}) {
+    PlotCurve near = *curve;
+    near.x.clear(), near.y.clear();
+    for (std::size_t i = 0; i < curve->x.size(); ++i)
+      if (std::abs(curve->x[i] - contact) < reach) near.x.push_back(curve->x[i]), near.y.push_back(curve->y[i]);
+    *curve = std::move(near);
+  }
+  panel.curves = {with(std::move(data), {}, small), with(std::move(fit), Line{}, {})};
+  panel.x.low = contact - reach;
+  panel.x.high = contact + reach;
+  panel.marks = {{.along = Along::x, .at = contact, .dash = Dash::dotted}};
+  return panel;
+}
+
+/// A curve of an instrument shows what was done to it first.
+void add_preparation(const FittedCurve& result, const Fit& quoted, Plot& plot) {
+  if (!result.preparation || result.preparation->raw_height_A.empty()) return;
+  plot.panels.insert(plot.panels.begin(), {raw_panel(*result.preparation), contact_panel(result, quoted)});
+  plot.height = 1120;
+}
+
 }  // namespace
 
 Plot measured_plot(const FittedCurve& result) {
@@ -97,7 +151,7 @@ Plot measured_plot(const FittedCurve& result) {
   residual.marks = {{.along = Along::y, .at = 0}};
   const Fit* direct = of_continuum(*quoted) ? quoted : nullptr;
   const double pretension_error = std::max(fit.pretension_stderr_eV_per_A2, std::abs(fit.pretension_eV_per_A2) / 10);
-  return {
+  Plot plot{
       .title = std::filesystem::path(result.file).filename().string(),
       .panels = {std::move(force), std::move(residual),
                  scan_panel(fit.scan, result.model, {.label = "E·h", .unit = "N/m", .key = "Eh_N_per_m"},
@@ -109,6 +163,8 @@ Plot measured_plot(const FittedCurve& result) {
       .columns = 2,
       .width = 1000,
       .height = 760};
+  add_preparation(result, *quoted, plot);
+  return plot;
 }
 
 }  // namespace validate

@@ -16,6 +16,7 @@
 #include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/plots/force_depth.hpp"
 #include "compare/documents/plots/from_above.hpp"
+#include "compare/documents/plots/many_plot.hpp"
 #include "compare/documents/plots/measured_curve_plot.hpp"
 #include "compare/documents/plots/pressed_atoms_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
@@ -102,6 +103,15 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
         for (Drawing& drawing : experiment_drawings(result, run_folder)) all.push_back(std::move(drawing));
       return all;
     case Command::fit:
+      if (result.many) {
+        all.push_back({{.title = "map", .caption = "E·h, pretension and height of the contact over the map."},
+                       many_map(*result.many)});
+        all.push_back(
+            {{.title = "histograms",
+              .caption = "Line: the mean; grey: what one curve is expected in by spread and noise; dashed: one "
+                         "E·h for all curves."},
+             many_histograms(*result.many)});
+      }
       for (const FittedCurve& curve : result.curves)
         all.push_back({{.title = curve.file, .caption = curve.file}, measured_plot(curve)});
       return all;
@@ -112,6 +122,7 @@ std::vector<Drawing> drawings(const Result& result, const std::filesystem::path&
     case Command::batch:
     case Command::published:
     case Command::curve:
+    case Command::design:
       return {};
   }
   return all;

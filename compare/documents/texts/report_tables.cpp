@@ -10,6 +10,7 @@
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/texts/card_files.hpp"
 #include "compare/documents/texts/ladder.hpp"
+#include "compare/documents/texts/many_text.hpp"
 #include "compare/documents/texts/measured_report.hpp"
 #include "compare/documents/texts/numbers.hpp"
 
@@ -46,8 +47,22 @@ std::string fit_table(const FittedCurve& curve) {
          folded("in words", measured_text(curve));
 }
 
+/// A row a curve, sortable, below what they say together.
+std::string many_table(const ManyCurves& many) {
+  Rows rows;
+  for (const CurveRow& r : many.rows)
+    rows.push_back({r.file, fmt::format("{}", r.index), in_N_per_m_text(r.Eh_eV_per_A2, "{:.1f}"),
+                    interval({r.Eh_low_eV_per_A2, r.Eh_high_eV_per_A2}, "{:.1f}"),
+                    in_N_per_m_text(r.pretension_eV_per_A2, "{:.3f}"),
+                    interval({r.pretension_low_eV_per_A2, r.pretension_high_eV_per_A2}, "{:.3f}"),
+                    number(100 * r.rms_relative, "{:.2f}"), r.skipped});
+  return html::preformatted(many_text(many)) +
+         html::table({"file", "curve", "E·h (N/m)", "95 %", "pretension (N/m)", "95 %", "misfit (%)", "not used"}, rows,
+                     {0, 7});
+}
+
 std::string fits(const Result& result) {
-  std::string text;
+  std::string text = result.many ? many_table(*result.many) : "";
   for (const FittedCurve& curve : result.curves) text += fit_table(curve);
   Rows rows;
   for (const UnfittedCurve& curve : result.unfitted) rows.push_back({curve.file, curve.reason});
@@ -177,6 +192,7 @@ std::string tables_of(const Result& result) {
     case Command::indentation:
     case Command::bulge:
     case Command::curve:
+    case Command::design:
       return {};
   }
   return {};

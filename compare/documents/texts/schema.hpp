@@ -16,14 +16,14 @@ nlohmann::ordered_json schema_of(Command command);
 std::string schema_text(Command command);
 
 /// A schema by the name of its file in inputs/ (NAME.schema.json): summary, fit, card, figure, verify, batch,
-/// published, curve.
+/// published, curve, design.
 struct NamedSchema {
   std::string_view name;
   Command command;
 };
-inline constexpr NamedSchema named_schemas[] = {{"summary", Command::indentation}, {"fit", Command::fit},
-                                                {"card", Command::potential},      {"figure", Command::figure},
-                                                {"verify", Command::verify},       {"batch", Command::batch},
-                                                {"published", Command::published}, {"curve", Command::curve}};
+inline constexpr NamedSchema named_schemas[] = {
+    {"summary", Command::indentation}, {"fit", Command::fit},       {"card", Command::potential},
+    {"figure", Command::figure},       {"verify", Command::verify}, {"batch", Command::batch},
+    {"published", Command::published}, {"curve", Command::curve},   {"design", Command::design}};
 
 }  // namespace validate

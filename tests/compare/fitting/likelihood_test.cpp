@@ -47,7 +47,7 @@ struct Asked {
   const char* name;
   FreeZeros free;
   bool force_noise_known, depth_noise_known;
-  double by_force;
+  double compliance;
   int inputs;
 };
 
@@ -58,7 +58,7 @@ class Gradient : public testing::TestWithParam<Asked> {
     CurvePoints points = drum(3);
     if (!asked.force_noise_known) points.noise.force_eV_per_A.reset();
     if (!asked.depth_noise_known) points.noise.depth_A.reset();
-    points.noise.depth_by_force = asked.by_force;
+    points.compliance_A2_per_eV = asked.compliance;
     std::vector<UncertainInput> inputs;
     for (int k = 0; k < asked.inputs; ++k) inputs.push_back({"force", scaled(disc(), 1.02 + 0.01 * k)});
     return {points, disc(), asked.free, inputs};
@@ -104,8 +104,8 @@ INSTANTIATE_TEST_SUITE_P(All, Gradient,
                                          Asked{"inputs", {true, true}, true, true, 0, 2},
                                          Asked{"noise", {true, true, true}, false, false, 0, 0},
                                          Asked{"force_noise", {true, true}, false, true, 0, 1},
-                                         Asked{"heights", {true, true}, true, true, -0.8, 0},
-                                         Asked{"heights_noise", {true, true, true}, false, false, -0.8, 1}),
+                                         Asked{"heights", {true, true}, true, true, 0.8, 0},
+                                         Asked{"heights_noise", {true, true, true}, false, false, 0.8, 1}),
                          [](const auto& test) { return test.param.name; });
 
 // ---- maximum
@@ -160,18 +160,22 @@ TEST(Likelihood, AStraightLineIsDemings) {
   EXPECT_NEAR(best.theta[2], y - slope * x, 1e-5);
 }
 
-// A depth z − F/k takes the error of the force along: the miss of a line of slope K is (1 + K/k) times as wide.
+// A depth z − F/k takes the error of the force along: the error of a line's slope K is (1 + K/k) times as large.
 TEST(Likelihood, ErrorsOfForceAndDepthMayBeOne) {
   CurvePoints p;
+  double squares = 0;
   for (int i = 1; i <= 20; ++i) {
     p.depth_A.push_back(10.0 * i);
     p.force_eV_per_A.push_back(20.0 * i);
+    squares += p.depth_A.back() * p.depth_A.back();
   }
   p.noise.force_eV_per_A = 3;
   p.noise.depth_A = 0;
-  p.noise.depth_by_force = -1 / 4.0;
+  p.compliance_A2_per_eV = 1 / 4.0;
   const Likelihood l(p, line, {});
-  for (const double sigma : l.prediction(Eigen::Vector2d(2, 0)).sigma) EXPECT_NEAR(sigma, 3 * 1.5, 1e-6);
+  const Eigen::Vector2d theta(2, 0);
+  for (const double miss : l.prediction(theta).miss) EXPECT_NEAR(miss, 0, 1e-6);
+  EXPECT_NEAR(std::sqrt(2 / l.at(theta).information(0, 0)), 3 * 1.5 / std::sqrt(squares), 1e-6);
 }
 
 // Noise in the force alone is weighted least squares, which GSL does.

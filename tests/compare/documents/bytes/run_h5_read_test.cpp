@@ -40,7 +40,7 @@ TEST_P(RunH5Read, GivesBackNothingWhereThereWasNothing) {
 INSTANTIATE_TEST_SUITE_P(Commands, RunH5Read,
                          testing::Values(Command::indentation, Command::bulge, Command::fit, Command::potential,
                                          Command::figure, Command::verify, Command::batch, Command::published,
-                                         Command::curve),
+                                         Command::curve, Command::design),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
 TEST(RunH5ReadMore, IncompleteResultsToo) {
