@@ -97,7 +97,8 @@ struct Problem {
   Card card;
   double radius_A = 0;  ///< of the free disc, or half the side of the square; atoms beyond are clamped
   SheetForm form;
-  double biaxial_strain = 0;  ///< imposed on the whole flat sheet before the load: the pretension
+  double biaxial_strain = 0;         ///< imposed on the whole flat sheet before the load: the pretension
+  double rim_tension_eV_per_A2 = 0;  ///< dead force on a length of a sliding disc's rim, outwards, before the load
   Load load;
   Control control = Control::conjugate_depth;
   std::vector<double>
@@ -109,6 +110,7 @@ struct Problem {
   bool past_artefact = false;  ///< do not end the path at the artefact bond length
   double ripple_A = 0;         ///< root mean square of the ripple that every level starts from, beside its prediction
   unsigned ripple_seed = 0;    ///< of the first level; the next ones count on
+  int ripple_waves = 0;        ///< the ripple has this many waves around the axis; 0: waves of any direction
   bool virials = false;        ///< hand out each step's virials
   Preconditioning preconditioning = Preconditioning::automatic;
 };

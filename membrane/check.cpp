@@ -39,6 +39,29 @@ void check_directions(const L& law, const Problem& problem) {
   }
 }
 
+/// Acts through its work alone, and only patterns and a sphere begin on a sheet that is stretched already.
+void check_edge_tension(const Problem& problem) {
+  const double tension = problem.edge_tension_eV_per_A2;
+  if (!(tension >= 0) || !std::isfinite(tension))
+    refuse("edge_tension_eV_per_A2", tension, "must be finite and not negative: a sheet that is pushed in buckles");
+  const EdgeElasticity& edge = problem.edge;
+  if (!std::isfinite(edge.stress_eV_per_A) || !std::isfinite(edge.stiffness_eV_per_A))
+    refuse("edge", edge.stress_eV_per_A, "stress and stiffness must be finite");
+  if (tension == 0 && (edge.stress_eV_per_A != 0 || edge.stiffness_eV_per_A != 0))
+    refuse("edge", edge.stress_eV_per_A, "an edge of its own needs a tension beside it");
+  if (tension == 0) return;
+  const auto supports = supports_of(problem.sheet);
+  if (std::ranges::none_of(supports, [](const auto& s) { return s.second == Support::sliding; }))
+    refuse("edge_tension_eV_per_A2", tension, "needs an edge that slides in its plane: the others do not give way");
+  if (problem.pressure_eV_per_A3 != 0)
+    refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be 0 where an edge is under tension");
+  if (problem.prestress_eV_per_A2 != Eigen::Matrix2d::Zero())
+    refuse("prestress_eV_per_A2", problem.prestress_eV_per_A2(0, 0), "must be 0 where an edge is under tension");
+  const Action action = action_of(problem.load);
+  if (std::holds_alternative<FollowerPressure>(action) || std::holds_alternative<EdgeMotion>(action))
+    refuse("load", "a pressure or a moved edge", "must be a dead force or a sphere where an edge is under tension");
+}
+
 bool compressive(const Eigen::Matrix2d& prestress) {
   return Principal(prestress(0, 0), prestress(1, 1), prestress(0, 1)).smaller < 0;
 }
@@ -70,6 +93,7 @@ void check(const Problem& problem) {
   if (!std::isfinite(problem.pressure_eV_per_A3))
     refuse("pressure_eV_per_A3", problem.pressure_eV_per_A3, "must be finite");
   if (problem.pressure_eV_per_A3 != 0) require_closed(problem.sheet, "pressure_eV_per_A3");
+  check_edge_tension(problem);
   const Widest widest = widest_load(problem);
   const LoadSetting setting{problem.sheet, problem.control, problem.pressure_eV_per_A3, widest.patch_A,
                             widest.sphere_A};

@@ -11,6 +11,7 @@
 #include "membrane/bending/moduli.hpp"
 #include "membrane/laws/list.hpp"
 #include "membrane/loads/list.hpp"
+#include "membrane/sheets/edge_elasticity.hpp"
 #include "membrane/sheets/sheet.hpp"
 
 namespace membrane {
@@ -40,6 +41,9 @@ struct Problem {
   /// compression, and relaxing would count its relief twice. Rings are then narrow at the rim and at the load's edge.
   std::optional<BendingModuli> bending;
   double pressure_eV_per_A3 = 0;  ///< towards −z, applied before the load and kept under it
+  /// Dead force on a length of the edges that slide, outwards in the plane; applied before the load and kept under it.
+  double edge_tension_eV_per_A2 = 0;
+  EdgeElasticity edge;  ///< of its own, of the edges that slide; needs a tension beside it
   Load load;
   Control control = Control::conjugate_depth;
   std::vector<double>
@@ -48,12 +52,24 @@ struct Problem {
   Discretisation discretisation = Triangles{};
 };
 
+/// Where a sheet has given compression up, or bears it; areas of the flat sheet.
+struct Tautness {
+  double wrinkled_area_fraction = 0, slack_area_fraction = 0;  ///< of a relaxed sheet
+  double compressed_area_fraction = 0;                         ///< of any other: the smaller membrane force is negative
+  double least_force_eV_per_A2 = 0;  ///< the smallest principal membrane force (second Piola–Kirchhoff) anywhere
+};
+
 /// What is known on a mesh of triangles, make_mesh's.
 struct TriangleShape {
   Eigen::VectorXd displacements;         ///< Å, three a node
   Eigen::VectorXd reactions;             ///< eV/Å on the meshed part, of the supports and symmetry planes on the nodes
   std::vector<double> residual_history;  ///< of the last search, one entry a Newton step
   int smallest_pivot_sign = 1;           ///< of the last tangent: −1 indefinite, 0 singular (slack), 1 positive
+  /// Of a sheet that bends: the second derivative of the energy along the softest direction (eV/Å²), at the equilibrium
+  /// that is handed out and at the first one that was found at this level: where that was negative it was a saddle and
+  /// left for a lower state.
+  std::optional<double> softest_eV_per_A2, first_softest_eV_per_A2;
+  int saddles_left = 0;
 };
 
 /// The state on a circle.
@@ -80,8 +96,10 @@ struct Step {
   double conjugate_depth_A = 0;  ///< Σ p_i (−z_i) of the load pattern; of a sphere its own, of a pressure volume / area
   double force_eV_per_A = 0;     ///< of a pattern or a sphere; of a pressure by its volume p A; else 0
   double pressure_eV_per_A3 = 0;
-  double volume_A3 = 0;          ///< between the sheet and its plane, positive on the side of −z
-  double energy_eV = 0;          ///< stretching and bending, relative to the flat, prestressed sheet
+  double volume_A3 = 0;  ///< between the sheet and its plane, positive on the side of −z
+  /// Stretching, bending and the potential of an edge's dead tension, relative to the flat sheet that is under its
+  /// prestress or that tension.
+  double energy_eV = 0;
   double bending_energy_eV = 0;  ///< of which bending
   /// Triangles: |free residual| / |applied load|, at most 1e-8, or rounding where the depth is below some 1e-4 of the
   /// radius. Meridian: √(rᵀ K⁻¹ r / energy), at most 1e-9.
@@ -89,6 +107,8 @@ struct Step {
   double penetration_A = 0;  ///< deepest of a node into an obstacle; a meridian stays outside
   /// Largest principal membrane force (second Piola–Kirchhoff) at the rim: of its triangles, or on its circle.
   double rim_membrane_force_eV_per_A2 = 0;
+  Tautness tautness;
+  double rim_displacement_A = 0;  ///< of a round sheet's rim, outwards, mean
   /// Force of the supports on the sheet; z component only where no more than a quarter is solved (the others cancel in
   /// the full sheet).
   Eigen::Vector3d support_force_eV_per_A = Eigen::Vector3d::Zero();

@@ -7,6 +7,7 @@
 #include "atomistic/equilibrium/guide.hpp"
 #include "atomistic/equilibrium/newton_krylov.hpp"
 #include "atomistic/lattice/ripple.hpp"
+#include "atomistic/loads/rim_pull.hpp"
 #include "atomistic/loads/sphere_load.hpp"
 #include "atomistic/protocol/preconditioning.hpp"
 
@@ -60,12 +61,14 @@ Path::Path(const Problem& problem, const Sheet& sheet, ForceField& forces, const
       force_field_(forces),
       callbacks_(callbacks),
       load_(make_load(problem, sheet)),
+      rim_pull_(rim_pull(sheet, problem.rim_tension_eV_per_A2)),
       preconditioner_(kind_for(problem, sheet), sheet, spring_constants(problem.card)),
       reference_(sheet.positions),
       positions_(sheet.positions),
       break_(problem.potential.artefact_bond_A, controls_depth(problem)) {
   if (!sheet.built_in_equilibrium()) relax_flat_sheet();
-  flat_energy_ = force_field_.evaluate(reference_, atom_forces_, true);
+  VectorXd unused = VectorXd::Zero(free_dofs());
+  flat_energy_ = force_field_.evaluate(reference_, atom_forces_, true) + pull(reference_.head(free_dofs()), unused);
 }
 
 Report Path::follow(const std::vector<Step>& finished) {
@@ -102,7 +105,10 @@ void Path::relax_flat_sheet() {
                                    positions_.head(free_dofs()) = x;
                                    const double energy =
                                        force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
-                                   return Evaluation{energy, flat(-atom_forces_.head(free_dofs()))};
+                                   Evaluation e{energy, -atom_forces_.head(free_dofs())};
+                                   e.energy += pull(x, e.gradient);
+                                   e.gradient = flat(e.gradient);
+                                   return e;
                                  },
                              .precondition = [&](const VectorXd& r) { return flat(preconditioner_.solve(r)); },
                              .constraint = {},
@@ -184,7 +190,9 @@ void Path::predict(int number, double level) {
   VectorXd x = reference_.head(free_dofs());
   const auto expected = guide(level);
   x += states_.empty() && !expected ? load_->first_guess() : extrapolate(states_, t, expected);
-  if (problem_.ripple_A > 0)
+  if (problem_.ripple_A > 0 && problem_.ripple_waves > 0)
+    x += ripple_around(sheet_, problem_.ripple_A, problem_.ripple_waves);
+  else if (problem_.ripple_A > 0)
     x += ripple(sheet_, problem_.ripple_A, problem_.ripple_seed + static_cast<unsigned>(number));
   hold_what_slides(x);
   load_->admit(x);
@@ -211,6 +219,12 @@ void Path::hold_what_slides(VectorXd& v) const {
     if (sheet_.slides[i]) v[3 * static_cast<Eigen::Index>(i) + 2] = 0;
 }
 
+/// Potential of the rim's dead forces (eV), their gradient added.
+double Path::pull(const VectorXd& x, VectorXd& gradient) const {
+  gradient -= rim_pull_;
+  return -rim_pull_.dot(x - sheet_.positions.head(free_dofs()));
+}
+
 Minimisation Path::minimisation() {
   return {.evaluate =
               [this](const VectorXd& x) {
@@ -218,7 +232,7 @@ Minimisation Path::minimisation() {
                 Evaluation e;
                 e.energy = force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
                 e.gradient = -atom_forces_.head(free_dofs());
-                e.energy += load_->add(x, e.gradient);
+                e.energy += pull(x, e.gradient) + load_->add(x, e.gradient);
                 hold_what_slides(e.gradient);
                 return e;
               },

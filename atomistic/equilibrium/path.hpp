@@ -46,6 +46,7 @@ class Path {
   void predict(int number, double level);
   void meet_constraint(double level);
   void hold_what_slides(Eigen::VectorXd& gradient) const;
+  double pull(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const;
   Minimisation minimisation();
   MinimiserReport minimise_level(int number, const Target& target);
   Step run_level(int number, const Target& target);
@@ -60,6 +61,7 @@ class Path {
   ForceField& force_field_;
   const PathCallbacks& callbacks_;
   std::unique_ptr<LoadTerm> load_;
+  Eigen::VectorXd rim_pull_;  ///< dead forces on the free atoms, eV/Å
   Preconditioner preconditioner_;
   Eigen::VectorXd reference_;  ///< the flat sheet in equilibrium
   Eigen::VectorXd positions_, atom_forces_, factorised_at_;

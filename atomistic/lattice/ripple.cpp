@@ -36,6 +36,18 @@ double window(const Sheet& sheet, const Eigen::Vector2d& place) {
 
 }  // namespace
 
+Eigen::VectorXd ripple_around(const Sheet& sheet, double amplitude_A, int waves_around) {
+  // What wrinkles do: nothing at the rim, most at four fifths of the radius, next to nothing in the middle.
+  const auto height = [](double s) { return s < 1 ? std::pow(s, 4) * (1 - s) / (std::pow(0.8, 4) * 0.2) : 0; };
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * sheet.free_atoms);
+  for (int i = 0; i < sheet.free_atoms; ++i) {
+    const Eigen::Vector2d place = sheet.position(i).head<2>();
+    const double angle = std::atan2(place.y(), place.x());
+    u[3 * i + 2] = amplitude_A * height(place.norm() / sheet.radius_A) * std::cos(waves_around * angle);
+  }
+  return u;
+}
+
 Eigen::VectorXd ripple(const Sheet& sheet, double rms_A, unsigned seed) {
   const std::vector<Wave> all = random_waves(seed);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * sheet.free_atoms);

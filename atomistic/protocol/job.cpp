@@ -90,6 +90,7 @@ json problem_to_json(const Problem& p) {
           {"radius_A", p.radius_A},
           {"form", form_to_json(p.form)},
           {"biaxial_strain", p.biaxial_strain},
+          {"rim_tension_eV_per_A2", p.rim_tension_eV_per_A2},
           {"load", load_to_json(p.load)},
           {"force_control", p.control == Control::force},
           {"levels", p.levels},
@@ -100,6 +101,7 @@ json problem_to_json(const Problem& p) {
           {"past_artefact", p.past_artefact},
           {"ripple_A", p.ripple_A},
           {"ripple_seed", p.ripple_seed},
+          {"ripple_waves", p.ripple_waves},
           {"virials", p.virials},
           {"preconditioning", p.preconditioning}};
 }
@@ -110,6 +112,7 @@ Problem problem_from_json(const json& j) {
           .radius_A = j.at("radius_A"),
           .form = form_from_json(j.at("form")),
           .biaxial_strain = j.at("biaxial_strain"),
+          .rim_tension_eV_per_A2 = j.at("rim_tension_eV_per_A2"),
           .load = load_from_json(j.at("load")),
           .control = j.at("force_control") ? Control::force : Control::conjugate_depth,
           .levels = j.at("levels"),
@@ -120,6 +123,7 @@ Problem problem_from_json(const json& j) {
           .past_artefact = j.at("past_artefact"),
           .ripple_A = j.at("ripple_A"),
           .ripple_seed = j.at("ripple_seed"),
+          .ripple_waves = j.at("ripple_waves"),
           .virials = j.at("virials"),
           .preconditioning = j.at("preconditioning")};
 }

@@ -69,10 +69,16 @@ struct Field {
   std::span<const std::string_view> choices = {};  ///< allowed words of a text; empty: any text
   bool may_lack = false;                           ///< left out of documents where there is none
   bool top_too = false;                            ///< the key of a table may stand at the top level of a file too
+  bool needs_unit = false;  ///< a number alone is refused: it is too easily meant in another unit
 
   constexpr Field where_known() const {
     Field field = *this;
     field.may_lack = true;
+    return field;
+  }
+  constexpr Field with_unit() const {
+    Field field = *this;
+    field.needs_unit = true;
     return field;
   }
   constexpr Field at_top_too() const {

@@ -35,10 +35,6 @@ double in_range(const Field& field, double value, std::string_view label) {
                   describe_range(field));
 }
 
-double parse_number(const Field& field, std::string_view text, std::string_view label) {
-  return in_range(field, parse_quantity(text, field.unit, label), label);
-}
-
 namespace {
 
 /// What stands behind the number that a text begins with: its unit, or all of the text where there is no number.
@@ -54,6 +50,20 @@ std::string_view behind_number(std::string_view text) {
 }
 
 bool has_unit(std::string_view text) { return !behind_number(text).empty(); }
+
+}  // namespace
+
+double parse_number(const Field& field, std::string_view text, std::string_view label) {
+  const double value = parse_quantity(text, field.unit, label);
+  if (field.needs_unit && !has_unit(text)) refuse_without_unit(field, text, label);
+  return in_range(field, value, label);
+}
+
+void refuse_without_unit(const Field& field, std::string_view number, std::string_view label) {
+  throw bad_input("{}: '{}' has no unit; write one of {}", label, number, units_in_words(field.unit));
+}
+
+namespace {
 
 /// The error's number, and its unit for a value that has none.
 void share_unit(std::string& value, std::string& error) {

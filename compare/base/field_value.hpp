@@ -21,8 +21,12 @@ std::string label_of(const Origins&, std::string_view name);
 /// The number itself if the field's range allows it, else Error (bad input). NaN and infinities never pass.
 double in_range(const Field&, double value, std::string_view label);
 
-/// Text with an optional unit → base units, in range.
+/// Text with an optional unit → base units, in range. Throws Error (bad input) where the field needs a unit and there
+/// is none.
 double parse_number(const Field&, std::string_view text, std::string_view label);
+
+/// Throws Error (bad input): the field takes no number without a unit.
+[[noreturn]] void refuse_without_unit(const Field&, std::string_view number, std::string_view label);
 
 /// A value and its standard error.
 struct Uncertain {

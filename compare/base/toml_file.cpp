@@ -64,7 +64,9 @@ double number_from(const Field& field, std::string_view label, const toml::node&
     refuse_type(node, label,
                 field.unit.empty() ? "a number" : fmt::format("a number in {} or a text with a unit", field.unit));
   }
-  return in_range(field, *node.value<double>(), label);
+  const double value = *node.value<double>();
+  if (field.needs_unit) refuse_without_unit(field, fmt::format("{}", value), label);
+  return in_range(field, value, label);
 }
 
 std::string text_from(const Field& field, std::string_view label, const toml::node& node) {

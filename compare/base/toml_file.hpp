@@ -67,6 +67,10 @@ class TomlFile {
     value = *from_word<Enum>(text);
   }
   template <Worded Enum>
+  void read_value(const Field& field, const std::string& label, std::optional<Enum>& value) const {
+    read_value(field, label, value.emplace());
+  }
+  template <Worded Enum>
   void read_value(const Field& field, const std::string& label, std::vector<Enum>& value) const {
     value.clear();
     for (const std::string& text : texts(with_words<Enum>(field), label)) value.push_back(*from_word<Enum>(text));

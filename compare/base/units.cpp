@@ -115,6 +115,10 @@ const Quantity& quantity_of(std::string_view base_unit) {
   throw std::logic_error(fmt::format("no quantity is read in the unit '{}'", base_unit));
 }
 
+std::string units_in_words(std::string_view base_unit) {
+  return fmt::format("{}", fmt::join(unit_names(quantity_of(base_unit)), ", "));
+}
+
 double parse_quantity(std::string_view text, std::string_view base_unit, std::string_view label) {
   const Quantity& quantity = quantity_of(base_unit);
   const auto [number, unit_text] = split(text, quantity, label);

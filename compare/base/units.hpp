@@ -27,6 +27,9 @@ struct Quantity {
 /// The quantity measured in a base unit of describe.hpp's `unit`. Throws std::logic_error for any other text.
 const Quantity& quantity_of(std::string_view base_unit);
 
+/// "eV/A^2, meV/A^2, …": the units that are understood beside a base unit, for messages.
+std::string units_in_words(std::string_view base_unit);
+
 /// "110", "11 nm", "0.34 N/m" → base units. A number without a unit is in base units. Also understood: Å for
 /// A, µ for u, ² and ** for ^2. Throws Error (bad input) whose message starts with `label` (file, line and
 /// key, or flag) and names the text, the units allowed and the nearest one. nan and inf are numbers here:

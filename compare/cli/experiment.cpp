@@ -45,6 +45,7 @@ ReadCase read(const ExperimentCommand& command, const CaseFlags& flags, const Ru
   flags.apply(c, origins, variant);
   settle_size(c, origins);
   settle_units(c, flags.texts());
+  settle_rim(c, origins);
   prefer_potential(c, origins);
   for (const std::string& warning : check(c, origins)) spdlog::warn("{}", warning);
   if (!has_given_constants(c)) {

@@ -21,6 +21,10 @@ std::string placeholder(const Field&, const Enum&) {
   return "NAME";
 }
 template <Worded Enum>
+std::string placeholder(const Field&, const std::optional<Enum>&) {
+  return "NAME";
+}
+template <Worded Enum>
 std::string placeholder(const Field&, const std::vector<Enum>&) {
   return "NAME,...";
 }
@@ -36,6 +40,10 @@ std::string shown_default(const Enum& value) {
   return std::string(to_string(value));
 }
 template <Worded Enum>
+std::string shown_default(const std::optional<Enum>& value) {
+  return value ? shown_default(*value) : "";
+}
+template <Worded Enum>
 std::string shown_default(const std::vector<Enum>& values) {
   std::vector<std::string_view> words;
   for (const Enum value : values) words.push_back(to_string(value));
@@ -45,6 +53,10 @@ std::string shown_default(const std::vector<Enum>& values) {
 bool is_number(const std::string&) { return false; }
 template <Worded Enum>
 bool is_number(const Enum&) {
+  return false;
+}
+template <Worded Enum>
+bool is_number(const std::optional<Enum>&) {
   return false;
 }
 template <Worded Enum>
@@ -63,6 +75,10 @@ Field with_choices(const Field& field, const Value&) {
 }
 template <Worded Enum>
 Field with_choices(const Field& field, const Enum&) {
+  return with_words<Enum>(field);
+}
+template <Worded Enum>
+Field with_choices(const Field& field, const std::optional<Enum>&) {
   return with_words<Enum>(field);
 }
 template <Worded Enum>
@@ -143,6 +159,10 @@ void read(const Field& field, const CLI::Option& option, std::vector<double>& va
 template <Worded Enum>
 void read(const Field& field, const CLI::Option& option, Enum& value) {
   value = *from_word<Enum>(parse_text(with_words<Enum>(field), single_text(field, option), flag_of(field)));
+}
+template <Worded Enum>
+void read(const Field& field, const CLI::Option& option, std::optional<Enum>& value) {
+  read(field, option, value.emplace());
 }
 template <Worded Enum>
 void read(const Field& field, const CLI::Option& option, std::vector<Enum>& values) {

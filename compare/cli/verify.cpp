@@ -52,8 +52,13 @@ std::vector<Group> membrane_groups(const std::shared_ptr<Laboratory>&) {
   return {verify::groups().begin(), verify::groups().end()};
 }
 
+std::vector<Group> wrinkles_groups(const std::shared_ptr<Laboratory>&) {
+  return {verify::wrinkles_groups().begin(), verify::wrinkles_groups().end()};
+}
+
 const std::vector<Part>& parts() {
   static const std::vector<Part> all = {{"membrane", membrane_groups, false},
+                                        {"wrinkles", wrinkles_groups, false},
                                         {"atoms", verify::atoms_groups, true},
                                         {"calibration", verify::calibration_groups, true},
                                         {"fit", [](const auto&) { return verify::fit_groups(false); }, false}};

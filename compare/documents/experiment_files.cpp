@@ -19,6 +19,7 @@
 #include "compare/documents/plots/explanation_bars.hpp"
 #include "compare/documents/plots/force_depth.hpp"
 #include "compare/documents/plots/pressed_atoms_plot.hpp"
+#include "compare/documents/plots/pulled_rim_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/plots/window_scan.hpp"
@@ -26,6 +27,7 @@
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/report_html.hpp"
 #include "compare/process/atoms.hpp"
+#include "compare/results/pulled_rim.hpp"
 
 namespace validate {
 namespace {
@@ -80,11 +82,13 @@ const SheetPicture* pressed_sheet(const Result& result) {
 
 void figure(const Target& t) {
   const SheetPicture* pressed = pressed_sheet(t.result);
-  tell(write_plot(pressed ? sheet_plot(*pressed) : force_depth_plot(t.result), t.folder, "figure"));
+  Plot plot = pulled_rim_plot(t.result);
+  if (plot.panels.empty()) plot = pressed ? sheet_plot(*pressed) : force_depth_plot(t.result);
+  tell(write_plot(plot, t.folder, "figure"));
 }
 
 void narrow_figure(const Target& t) {
-  if (!pressed_sheet(t.result))
+  if (!pressed_sheet(t.result) && !has_pulled_rim(t.result))
     tell(draw(narrow_force_depth_plot(t.result), t.folder, "figure-narrow", {PictureFormat::pdf}));
 }
 

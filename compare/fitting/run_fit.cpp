@@ -242,6 +242,10 @@ void fit_run(Run& run, const LadderPhysics& physics, const ComputedInputs& input
     run.fit_skipped = "the models are of an indenter, not of a pressure";
     return;
   }
+  if (std::isfinite(run.rim_tension_eV_per_A2)) {
+    run.fit_skipped = "the models are of a clamped rim, not of one that is pulled";
+    return;
+  }
   Points points = usable(run);
   if (points.depth.size() < fewest_points_to_fit) {
     run.fit_skipped = too_few(run, points.depth.size());

@@ -24,6 +24,7 @@ constexpr double laboratory_radius_A = 1000;          // a drum
 constexpr double largest_pretension_eV_per_A2 = 2.6;  // 42 N/m, the breaking strength of graphene
 
 // Bounds of any sheet: beyond them a unit was mistaken, and the mesh or the solver would say so less clearly.
+constexpr double largest_rim_strain = 0.1;  // of the rim's tension over E·h
 constexpr double largest_tip_of_radius = 0.95, smallest_tip_of_radius = 1e-6;
 constexpr double smallest_radius_A = 1e-3, largest_radius_A = 1e14;           // up to 10 km
 constexpr double smallest_Eh_eV_per_A2 = 1e-12, largest_Eh_eV_per_A2 = 1e12;  // 16 pN/m, 16 TN/m
@@ -41,11 +42,14 @@ void check_loads(const Case& c, const Origins& origins) {
       throw bad_input("{}: '{}' is named twice", label_of(origins, "loads"), to_string(*load));
     }
   }
-  if (has_indenter(c) && (c.shape != Shape::disc || c.edge != Edge::clamped)) {
+  if (has_indenter(c) && c.shape != Shape::disc)
+    throw bad_input("{}: an indenter presses a disc; a square takes the load 'pressure' alone",
+                    label_of(origins, "shape"));
+  if (has_indenter(c) && c.edge == Edge::sliding && !c.rim_tension_eV_per_A2)
     throw bad_input(
-        "{}: an indenter presses a clamped disc; a square, and an edge that slides, take the load 'pressure' alone",
-        label_of(origins, c.shape != Shape::disc ? "shape" : "edge"));
-  }
+        "{}: a rim that slides bears no indenter unless something pulls it outwards: give rim-tension, for instance "
+        "\"0.3 N/m\", or let it be clamped; under the load 'pressure' alone it needs none",
+        label_of(origins, c.rim ? "rim" : "edge"));
   if (!has_tip(c)) return;
   if (!(c.tip_radius_A <= largest_tip_of_radius * c.radius_A)) {
     throw bad_input("{}: a tip of {} Å is wider than the sheet can take; at most {} of its radius of {} Å: {:.6g} Å",
@@ -56,6 +60,24 @@ void check_loads(const Case& c, const Origins& origins) {
     throw bad_input("{}: a tip of {} Å is too small for a radius of {} Å; at least {} of it, or the point load",
                     label_of(origins, "tip-radius"), c.tip_radius_A, c.radius_A, smallest_tip_of_radius);
   }
+}
+
+/// A dead tension has work to do only where the rim gives way, and nothing else may bear or push.
+void check_rim_tension(const Case& c, const Origins& origins) {
+  if (c.relaxed && c.unrelaxed)
+    throw bad_input("{}, {}: they exclude each other", label_of(origins, "relaxed"), label_of(origins, "unrelaxed"));
+  if (!c.rim_tension_eV_per_A2) return;
+  if (c.edge != Edge::sliding || c.shape != Shape::disc)
+    throw bad_input("{}: only the rim of a disc that slides in its plane can be pulled; add rim = \"sliding\"",
+                    label_of(origins, "rim-tension"));
+  if (has_load(c, LoadKind::pressure))
+    throw bad_input("{}: beside a pressure a rim is not pulled; leave 'pressure' out of the loads",
+                    label_of(origins, "rim-tension"));
+  const double most =
+      has_given_constants(c) ? largest_rim_strain * *c.E_eV_per_A3 * *c.thickness_A : largest_pretension_eV_per_A2;
+  if (!(*c.rim_tension_eV_per_A2 <= most))
+    throw bad_input("{}: {} eV/Å² would tear the sheet before the test; at most {:.6g} eV/Å² ({:.4g} N/m)",
+                    label_of(origins, "rim-tension"), *c.rim_tension_eV_per_A2, most, most * N_per_m_per_eV_per_A2);
 }
 
 void check_given_constants(const Case& c, const Origins& origins) {
@@ -84,7 +106,7 @@ void check_whole(const Case& c, const Origins& origins) {
   if (c.pretension_eV_per_A2 > 0 && c.edge == Edge::sliding)
     throw bad_input("{}: an edge that slides cannot hold a pretension; use edge = \"clamped\"",
                     label_of(origins, "pretension"));
-  if (c.shape == Shape::disc && c.edge == Edge::sliding && c.extent == Extent::full)
+  if (c.shape == Shape::disc && c.edge == Edge::sliding && c.extent == Extent::full && !c.rim_tension_eV_per_A2)
     throw bad_input("{}: a full disc with a sliding rim can turn in its plane; use extent = \"quarter\"",
                     label_of(origins, "extent"));
 }
@@ -286,6 +308,18 @@ void settle_size(Case& c, const Origins& origins) {
     c.radius_A = *c.size_A / 2;
 }
 
+void settle_rim(Case& c, const Origins& origins) {
+  if (!c.rim) return;
+  if (c.shape != Shape::disc)
+    throw bad_input("{}: a {} has no rim; its key is edge", label_of(origins, "rim"), to_string(c.shape));
+  if (origins.contains("edge") && c.edge != *c.rim)
+    throw bad_input("{}, {}: edge and rim say different things of the same rim; give one", label_of(origins, "edge"),
+                    label_of(origins, "rim"));
+  c.edge = *c.rim;
+}
+
+bool has_pulled_rim(const Case& c) { return c.rim_tension_eV_per_A2.has_value(); }
+
 bool has_load(const Case& c, LoadKind load) { return std::ranges::find(c.loads, load) != c.loads.end(); }
 
 bool has_given_constants(const Case& c) { return c.E_eV_per_A3 && c.thickness_A && c.nu; }
@@ -318,6 +352,7 @@ std::vector<std::string> check(const Case& c, const Origins& origins) {
   check_law(c, origins);
   check_loads(c, origins);
   check_whole(c, origins);
+  check_rim_tension(c, origins);
   check_pressures(c, origins);
   check_levels(c, origins);
   check_resolved(c, origins);

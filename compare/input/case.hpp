@@ -65,7 +65,9 @@ struct Case {
   double radius_A = paper::radius_A;  ///< of the free disc, half the side of a square
   std::optional<double> size_A;       ///< the same in other words, see settle_size
   Edge edge = Edge::clamped;
-  std::string potential = "airebo";  ///< empty: a membrane of given constants alone
+  std::optional<Edge> rim;                      ///< the same of a disc in other words, see settle_rim
+  std::optional<double> rim_tension_eV_per_A2;  ///< dead force on a length of a rim that slides, outwards
+  std::string potential = "airebo";             ///< empty: a membrane of given constants alone
   std::vector<LoadKind> loads = {LoadKind::point, LoadKind::disc};
   double tip_radius_A = paper::tip_A;
   std::optional<double> depth_max_A;        ///< absent: 0.22 × radius
@@ -84,6 +86,7 @@ struct Case {
   std::optional<double>
       cells;  ///< rings of a disc, cells along a side of the meshed part of a square; absent: the solver's own
   bool unrelaxed = false;  ///< the sheet bears compression
+  bool relaxed = false;    ///< the tension field alone, where the sheet that bears compression would stand beside it
 
   // [atomistic]
   double force_tolerance_eV_per_A = 1e-5;
@@ -112,6 +115,10 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"size", unit::length, "the same in other words: diameter of a disc, side of a square", positive()},
         c.size_A);
   visit(Field{"edge", {}, "clamped, or sliding in its plane"}, c.edge);
+  visit(Field{"rim", {}, "the same of a disc's rim"}, c.rim);
+  visit(Field{"rim-tension", unit::membrane_force, "dead force on a length of a rim that slides, outwards", positive()}
+            .with_unit(),
+        c.rim_tension_eV_per_A2);
   visit(
       Field{"potential", {}, "name in inputs/potentials, or path to a TOML file; its constants are the membrane's too"},
       c.potential);
@@ -146,6 +153,13 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"unrelaxed", {}, "let the sheet bear compression: what the paper's relaxation removes", {}, "membrane"}
             .at_top_too(),
         c.unrelaxed);
+  visit(Field{"relaxed",
+              {},
+              "under a rim tension: the tension field alone, without the sheet that bears compression",
+              {},
+              "membrane"}
+            .at_top_too(),
+        c.relaxed);
 
   visit(Field{"force-tolerance", unit::force, "largest force left on a free atom", from_to(1e-9, 1e-2), "atomistic"},
         c.force_tolerance_eV_per_A);
@@ -194,6 +208,11 @@ void settle_size(Case&, const Origins&);
 /// Takes laboratory units where one of the user's values is in them and for drums (a membrane of given constants of
 /// 0.1 µm or more); else atomic ones.
 void settle_units(Case&, const std::vector<std::string>& values_given);
+/// Takes the rim for the edge where one is given. Throws Error (bad input) where they say different things.
+void settle_rim(Case&, const Origins&);
+
+/// The sheet's rim slides in its plane under a dead tension.
+bool has_pulled_rim(const Case&);
 
 /// True when E, thickness and nu are given: a membrane alone, without card, atoms or verdict.
 bool has_given_constants(const Case&);

@@ -42,6 +42,30 @@ void take_law(const MembraneLaw& law, ContinuumExperiment& e) {
   e.problem.law = law_of(law, e.run.Eh_eV_per_A2, e.run.nu);
 }
 
+/// A rim that slides under its dead tension.
+void pull_rim(const Case& c, ContinuumExperiment& e) {
+  if (!has_pulled_rim(c)) return;
+  e.run.rim_tension_eV_per_A2 = e.problem.edge_tension_eV_per_A2 = *c.rim_tension_eV_per_A2;
+  e.run.compression = e.problem.relaxed ? Compression::relieved : Compression::borne;
+}
+
+/// The same sheet, round and not relaxed: triangles without bending would fold as finely as they can.
+ContinuumExperiment bearing_compression(const Case& c, ContinuumExperiment e) {
+  e.purpose = Purpose::compression_borne;
+  e.problem.discretisation = membrane::Meridian{};
+  e.problem.sheet = membrane::DiscSheet{.radius_A = e.run.a_A, .rim = membrane::Support::sliding};
+  e.problem.relaxed = false;
+  pull_rim(c, e);
+  return e;
+}
+
+/// Under a pulled rim the tension field and, beside it, the sheet that bears compression, or the one that is asked for.
+std::vector<ContinuumExperiment> with_compression(const Case& c, ContinuumExperiment e) {
+  if (!has_pulled_rim(c) || c.relaxed) return {std::move(e)};
+  if (c.unrelaxed) return {bearing_compression(c, std::move(e))};
+  return {e, bearing_compression(c, e)};
+}
+
 /// Membrane of the paper's law with its half lengths, constants and pretension; the case supplies the rest.
 ContinuumExperiment plain_membrane(const Case& c, LoadKind load, Purpose purpose, Constants constants,
                                    const Eigen::Vector2d& half_A, membrane::Load pattern, double Eh, double nu) {
@@ -62,6 +86,7 @@ ContinuumExperiment plain_membrane(const Case& c, LoadKind load, Purpose purpose
   problem.relaxed = !c.unrelaxed;
   problem.load = pattern;
   problem.control = prescribes_force(c, load) ? membrane::Control::force : membrane::Control::conjugate_depth;
+  pull_rim(c, e);
   return e;
 }
 
@@ -93,6 +118,21 @@ ContinuumExperiment given_membrane(const Case& c, LoadKind load) {
   return e;
 }
 
+/// A rim that slides under its tension. A membrane stays in one dimension; a sheet that bends wrinkles as it likes, on
+/// triangles: a quarter has the waves whose number around is even.
+void let_slide(const Case& c, ContinuumExperiment& e) {
+  constexpr int rings = 40;
+  membrane::DiscSheet disc{.radius_A = e.run.a_A, .rim = membrane::Support::sliding};
+  if (e.run.model == Model::sheet) {
+    e.problem.discretisation = membrane::Triangles{};
+    disc.rings = c.cells ? static_cast<int>(*c.cells) : rings;
+    disc.extent = c.extent == Extent::full ? membrane::Extent::full : membrane::Extent::quarter;
+    e.problem.bending->gaussian_eV = -e.problem.bending->mean_eV;
+  }
+  e.problem.sheet = disc;
+  pull_rim(c, e);
+}
+
 /// A clamped disc in one dimension on the atoms' radii, its law still missing.
 ContinuumExperiment round_sheet(const Case& c, const Material& m, LoadKind load, Purpose purpose, Model model,
                                 Constants constants) {
@@ -119,6 +159,7 @@ ContinuumExperiment round_sheet(const Case& c, const Material& m, LoadKind load,
     e.problem.bending = membrane::clamped_all_round(card.bending_modulus_eV());
     std::get<membrane::DiscSheet>(e.problem.sheet).slope_margin_A = m.sheet.slope_margin_A();
   }
+  if (has_pulled_rim(c)) let_slide(c, e);
   return e;
 }
 
@@ -141,7 +182,7 @@ ContinuumExperiment calibrated(const Case& c, const Material& m, LoadKind load, 
   e.run.pretension_eV_per_A2 = law.law({strain, strain, 0}).force_eV_per_A2[0];
   e.problem.law = prestretched(law.law, e.stretch);
   e.problem.prestress_eV_per_A2 = e.run.pretension_eV_per_A2 * Eigen::Matrix2d::Identity();
-  if (model == Model::sheet)
+  if (model == Model::sheet && !has_pulled_rim(c))
     e.problem.bending = membrane::clamped_all_round(m.card.card.bending_modulus_eV() / (e.stretch * e.stretch));
   e.longest_bond = law.longest_bond;
   e.law_holds_to_A = law.range.holds_A;
@@ -160,14 +201,25 @@ ContinuumExperiment stage(const Case& c, const Material& m, LoadKind load, Purpo
   return e;
 }
 
-/// The potential's own law in one dimension: on a clamped disc.
+/// The potential's own law: on a disc that is clamped, in one dimension, or whose rim is pulled.
 bool has_calibrated_sheet(const Case& c, const Material& m) {
-  return m.card.law && c.shape == Shape::disc && c.edge == Edge::clamped;
+  return m.card.law && c.shape == Shape::disc && (c.edge == Edge::clamped || has_pulled_rim(c));
+}
+
+/// Where wrinkles change the force: the tension field and what bears compression, of the paper's law and the
+/// potential's.
+std::vector<ContinuumExperiment> pulled_continua(const Case& c, const Material& m, LoadKind load) {
+  std::vector<ContinuumExperiment> all = with_compression(c, like_for_like(c, m, load));
+  if (!has_calibrated_sheet(c, m)) return all;
+  all.push_back(calibrated(c, m, load, Purpose::calibrated_membrane, Model::membrane));
+  all.push_back(calibrated(c, m, load, Purpose::calibrated_sheet, Model::sheet));
+  return all;
 }
 
 /// Under a pressure the paper has no disc, and nothing is explained.
 std::vector<ContinuumExperiment> continua(const Case& c, const Material& m, LoadKind load) {
   const bool pressed = load == LoadKind::pressure;
+  if (has_pulled_rim(c)) return pulled_continua(c, m, load);
   std::vector<ContinuumExperiment> all = {like_for_like(c, m, load)};
   if (!pressed) all.push_back(paper_membrane(c, load));
   if (!has_calibrated_sheet(c, m)) return all;
@@ -199,6 +251,7 @@ AtomisticExperiment atoms(const Case& c, const Material& m, LoadKind load) {
   e.problem.form = m.sheet.sheet().form;
   e.problem.biaxial_strain = m.sheet.biaxial_strain();
   e.problem.unload = c.unloading;
+  e.problem.rim_tension_eV_per_A2 = c.rim_tension_eV_per_A2.value_or(0);
   e.problem.load = atoms_load(c, load);
   e.problem.control = prescribes_force(c, load) ? atomistic::Control::force : atomistic::Control::conjugate_depth;
   e.problem.force_tolerance_eV_per_A = c.force_tolerance_eV_per_A;
@@ -206,6 +259,7 @@ AtomisticExperiment atoms(const Case& c, const Material& m, LoadKind load) {
   e.problem.preconditioning = preconditioning(c.preconditioner);
   e.run.model = Model::atomistic;
   settle_part(e.run);
+  if (has_pulled_rim(c)) e.run.rim_tension_eV_per_A2 = *c.rim_tension_eV_per_A2;
   e.run.load = load;
   e.run.a_A = m.sheet.effective_radius_A();
   e.run.tip_A = tip_radius_A(twin_of(c, m.sheet, load));
@@ -225,7 +279,8 @@ const ContinuumExperiment* PairedLoad::find(Purpose purpose) const {
 
 std::vector<PairedLoad> pair(const Case& c) {
   std::vector<PairedLoad> pairs;
-  for (const LoadKind load : c.loads) pairs.push_back({load, std::nullopt, {given_membrane(c, load)}, std::nullopt});
+  for (const LoadKind load : c.loads)
+    pairs.push_back({load, std::nullopt, with_compression(c, given_membrane(c, load)), std::nullopt});
   return pairs;
 }
 
@@ -235,7 +290,7 @@ std::vector<PairedLoad> pair(const Case& c, const Material& material) {
     PairedLoad one{load, std::nullopt, {}, std::nullopt};
     if (c.models != Models::membrane) {
       one.atoms = atoms(c, material, load);
-      if (has_calibrated_sheet(c, material) && c.vacancies_A.empty() && c.stone_wales_A.empty())
+      if (has_calibrated_sheet(c, material) && !has_pulled_rim(c) && c.vacancies_A.empty() && c.stone_wales_A.empty())
         one.guide = calibrated(c, material, load, Purpose::calibrated_sheet, Model::sheet);
     }
     if (c.models != Models::atomistic) one.continua = continua(c, material, load);

@@ -21,12 +21,13 @@ namespace validate {
 /// its own.
 inline constexpr double graphite_spacing_A = 3.35;
 
-/// Why a continuum is computed. The first five are curves of the result; the last three lie on the way from a plain
+/// Why a continuum is computed. The first six are curves of the result; the last three lie on the way from a plain
 /// membrane to the calibrated sheet, each with one piece of physics more, and explain the difference.
 enum class Purpose {
   given,                ///< the case's own law and constants, no atoms
   like_for_like,        ///< the case's law (the paper's if none is named) with the card's constants, the atoms' radii
   paper,                ///< the paper's constants on nominal radii
+  compression_borne,    ///< of a pulled rim: the same sheet round and not relaxed, to show what wrinkles relieve
   calibrated_membrane,  ///< the potential's own law, relaxed, without bending
   calibrated_sheet,     ///< the potential's own law with bending, not relaxed, since bending is what limits compression
   nominal_radii,        ///< St Venant–Kirchhoff's membrane of nominal radii

@@ -82,10 +82,11 @@ struct Listener {
 
 /// A sheet's vectors at every level of every curve are a good part of the program's memory, and only the last are asked
 /// for.
-void keep_last_state(std::vector<atomistic::Step>& steps) {
-  for (std::size_t k = 0; k + 1 < steps.size(); ++k)
-    for (Eigen::VectorXd* state : {&steps[k].positions, &steps[k].forces, &steps[k].factorised_at, &steps[k].virials})
-      state->resize(0);
+void keep_last_state(std::vector<atomistic::Step>& steps, bool keep_positions) {
+  for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
+    for (Eigen::VectorXd* state : {&steps[k].forces, &steps[k].factorised_at, &steps[k].virials}) state->resize(0);
+    if (!keep_positions) steps[k].positions.resize(0);
+  }
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ std::vector<AtomsCurve> compute_curves(const AtomsLaunch& launch, const std::vec
   });
   for (std::size_t i = 0; i < paths.size(); ++i) {
     curves[i].steps = atomistic::read_finished_steps(steps_folder(work, paths[i]));
-    keep_last_state(curves[i].steps);
+    keep_last_state(curves[i].steps, paths[i].keep_positions);
     const int next = static_cast<int>(curves[i].steps.size());
     const fs::path damaged = steps_folder(work, paths[i]) / atomistic::step_file_name(next);
     if (outcomes[i].finished && !is_there(damaged)) continue;

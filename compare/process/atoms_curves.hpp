@@ -15,11 +15,12 @@ namespace validate {
 struct AtomsPath {
   std::string name;
   atomistic::Problem problem;
+  bool keep_positions = false;  ///< of every step, not of the last alone
 };
 
 struct AtomsCurve {
-  std::vector<atomistic::Step> steps;  ///< finished ones, those of an interrupted run included; positions, forces
-                                       ///< and virials of the last alone
+  std::vector<atomistic::Step> steps;  ///< finished ones, those of an interrupted run included; forces, virials and
+                                       ///< (unless they are to be kept) positions of the last alone
   std::optional<atomistic::Report> report;
   std::string failure;  ///< of the program; empty: it came to its end
   ExitCode failure_code = ExitCode::atomistic_failed;

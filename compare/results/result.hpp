@@ -45,6 +45,10 @@ struct SheetSummary {
   double radius_A = 0, effective_radius_A = 0;
   double slope_margin_A = 0;  ///< by which the slope of a sheet that bends is held farther out
   double clamp_radius_error_A = 0, slope_margin_error_A = 0, tip_radius_error_A = 0;  ///< standard errors
+  double flat_tension_eV_per_A2 =
+      not_known;                            ///< of a pulled rim: inside the flat sheet, the edge's own stress included
+  double edge_stress_eV_per_A = not_known;  ///< force of the free edge unstretched; negative: it pushes outwards
+  double edge_stiffness_eV_per_A = not_known;  ///< and its growth with the edge's strain
   int atoms = 0, free_atoms = 0, loaded_disc_atoms = 0;
 };
 
@@ -57,6 +61,16 @@ void describe(SameStruct<SheetSummary> auto& sheet, auto&& visit) {
         sheet.clamp_radius_error_A);
   visit(Field{"slope_margin_error", unit::length, "standard error of that margin"}, sheet.slope_margin_error_A);
   visit(Field{"tip_radius_error", unit::length, "standard error of a loaded disc's radius"}, sheet.tip_radius_error_A);
+  visit(Field{"flat_tension", unit::membrane_force,
+              "of a pulled rim: inside the flat sheet, the edge's own stress included"}
+            .where_known(),
+        sheet.flat_tension_eV_per_A2);
+  visit(Field{"edge_stress", unit::force, "force of the free edge, unstretched; negative: it pushes the rim outwards"}
+            .where_known(),
+        sheet.edge_stress_eV_per_A);
+  visit(Field{"edge_stiffness", unit::force, "growth of that force with the edge's strain, beyond the sheet's own"}
+            .where_known(),
+        sheet.edge_stiffness_eV_per_A);
   visit(Field{"atoms", unit::none, "atoms, clamped ring included", positive()}, sheet.atoms);
   visit(Field{"free_atoms", unit::none, "atoms that move"}, sheet.free_atoms);
   visit(Field{"loaded_disc_atoms", unit::none, "atoms that carry the disc load"}, sheet.loaded_disc_atoms);

@@ -31,6 +31,12 @@ constexpr auto words(Constants) {
                     Word{Constants::calibrated, "calibrated"}};
 }
 
+/// What a continuum does with compression: wrinkles relieve it (tension field), or the sheet bears it.
+enum class Compression { relieved, borne };
+constexpr auto words(Compression) {
+  return std::array{Word{Compression::relieved, "relieved"}, Word{Compression::borne, "borne"}};
+}
+
 /// calibration_end: a calibrated law was left; rupture: atoms that have come apart, or a sheet that has no equilibrium
 /// beyond although its law holds there.
 enum class Ended { depth_max, artefact, calibration_end, rupture, not_converged };
@@ -128,8 +134,11 @@ struct ContinuumPart {
   int triangles = 0;  ///< 0: solved in one dimension
   int factorisations = 0;
   std::vector<int> newton_iterations;
-  // of a sheet of triangles under a pressure
+  // of a sheet under a pressure, or whose rim is pulled
   std::vector<double> wrinkled_area_fraction, slack_area_fraction;
+  std::vector<double> compressed_area_fraction, least_membrane_force_eV_per_A2;  ///< where a rim is pulled
+  std::vector<double> softest_eV_per_A2;  ///< of a sheet of triangles that bends: negative at a saddle
+  std::vector<int> saddles_left;
   std::vector<double> edge_pull_in_A;  ///< of the middle of an edge, towards the centre; sliding edges
   std::vector<double> stress_1_max_eV_per_A3, stress_2_min_eV_per_A3, stress_2_max_eV_per_A3;
   std::shared_ptr<const std::vector<SheetPicture>> pictures;  ///< the solved triangles at the last depth, or every one
@@ -144,6 +153,18 @@ void describe(SameStruct<ContinuumPart> auto& part, auto&& visit) {
         part.wrinkled_area_fraction);
   visit(Column{"slack_area_fraction", unit::none, "share of the area without tension"}.where_known(),
         part.slack_area_fraction);
+  visit(Column{"compressed_area_fraction", unit::none, "share of the area in which a sheet bears compression"}
+            .where_known(),
+        part.compressed_area_fraction);
+  visit(
+      Column{"least_membrane_force", unit::membrane_force, "smallest principal membrane force anywhere"}.where_known(),
+      part.least_membrane_force_eV_per_A2);
+  visit(Column{"softest", unit::membrane_force, "second derivative of the energy along the softest direction"}
+            .where_known(),
+        part.softest_eV_per_A2);
+  visit(Column{"saddles_left", unit::none, "states at this depth that were saddles and were left for lower ones"}
+            .where_known(),
+        part.saddles_left);
   visit(Column{"edge_pull_in", unit::length, "way of an edge's middle towards the centre"}.where_known(),
         part.edge_pull_in_A);
   visit(Column{"stress_1_max", unit::stress, "largest larger principal Cauchy stress"}.where_known(),
@@ -164,13 +185,18 @@ struct Run {
   double a_A = not_known, tip_A = not_known;        ///< radii as used (pairing radii where paired)
   double Eh_eV_per_A2 = not_known, nu = not_known;  ///< as used; for atoms those of the card
   double pretension_eV_per_A2 = 0;
-  double record_radius_A = 0;  ///< where the depth of record is taken; 0: the centre
-  std::optional<Ended> ended;  ///< nothing where the program that computed the curve failed
-  std::string ended_reason;    ///< in words, for the table and the log
+  double record_radius_A = 0;                ///< where the depth of record is taken; 0: the centre
+  double rim_tension_eV_per_A2 = not_known;  ///< dead force on a length of a rim that slides
+  std::optional<Compression> compression;    ///< of a continuum whose rim is pulled
+  std::optional<Ended> ended;                ///< nothing where the program that computed the curve failed
+  std::string ended_reason;                  ///< in words, for the table and the log
 
   std::vector<double> depth_A, conjugate_depth_A, force_eV_per_A, energy_eV;
   std::vector<double> pressure_eV_per_A3,
-      volume_A3;  ///< of the load "pressure": force and conjugate depth by the flat area
+      volume_A3;                           ///< of the load "pressure": force and conjugate depth by the flat area
+  std::vector<double> rim_displacement_A;  ///< of a pulled rim, outwards
+  std::vector<int> wrinkle_count;          ///< of atoms and of a sheet of triangles whose rim is pulled
+  std::vector<double> wrinkle_wavelength_A, wrinkle_amplitude_A;
   std::vector<bool> converged;
   std::vector<double> longest_bond_A;  ///< atomistic: measured; calibrated: predicted from the strain
 
@@ -207,6 +233,12 @@ void describe(Self& run, Visitor&& visit) {
   visit(Field{"nu", unit::none, "Poisson's ratio as used; for atoms the card's"}, run.nu);
   visit(Field{"pretension", unit::membrane_force, "membrane force of the flat sheet"}, run.pretension_eV_per_A2);
   visit(Field{"record_radius", unit::length, "where the depth of record is taken; 0: the centre"}, run.record_radius_A);
+  visit(
+      Field{"rim_tension", unit::membrane_force, "dead force on a length of a rim that slides, outwards"}.where_known(),
+      run.rim_tension_eV_per_A2);
+  visit(
+      Field{"compression", unit::none, "of a continuum: relieved by wrinkles (tension field), or borne"}.where_known(),
+      run.compression);
   visit(Field{"ended", unit::none,
               "depth_max; artefact: of the atoms' potential; calibration_end: a law's; rupture: no equilibrium beyond; "
               "not_converged; unknown where its program failed"},
@@ -218,6 +250,15 @@ void describe(Self& run, Visitor&& visit) {
   visit(Column{"pressure", unit::stress, "follower pressure"}.where_known(), run.pressure_eV_per_A3);
   visit(Column{"volume", unit::volume, "under the bulge, full sheet"}.where_known(), run.volume_A3);
   visit(Column{"energy", unit::energy, "energy relative to the flat sheet"}, run.energy_eV);
+  visit(Column{"rim_displacement", unit::length, "of a pulled rim, outwards, from where it is without a load"}
+            .where_known(),
+        run.rim_displacement_A);
+  visit(Column{"wrinkle_count", unit::none, "waves around the axis; 0: none that are told from noise"}.where_known(),
+        run.wrinkle_count);
+  visit(Column{"wrinkle_wavelength", unit::length, "of the wrinkles where they are highest"}.where_known(),
+        run.wrinkle_wavelength_A);
+  visit(Column{"wrinkle_amplitude", unit::length, "of the wrinkles there, half of crest to trough"}.where_known(),
+        run.wrinkle_amplitude_A);
   visit(Column{"converged", unit::none, "equilibrium reached"}, run.converged);
   visit(Column{"longest_bond", unit::length, "longest bond of the atoms, or predicted from a calibrated law's strains"}
             .where_known(),

@@ -53,14 +53,24 @@ void append_extremes(ContinuumPart& part, const SheetPicture& picture) {
   part.stress_2_max_eV_per_A3.push_back(std::ranges::max(smaller));
 }
 
+/// What a sheet that bends has for wrinkles, and how firmly.
+void append_folds(ContinuumExperiment& e, const membrane::Mesh& mesh, const membrane::Step& step) {
+  const membrane::TriangleShape& shape = step.on_triangles();
+  append(e.run, wrinkles_of(points_of(mesh, shape), e.run.a_A));
+  e.run.continuum().softest_eV_per_A2.push_back(shape.softest_eV_per_A2.value_or(not_known));
+  e.run.continuum().saddles_left.push_back(shape.saddles_left);
+}
+
 void solve_triangles(ContinuumExperiment& e, bool all_fields) {
   const membrane::Problem& problem = e.problem;
   const bool pressed = e.run.load == LoadKind::pressure;
   SheetAlbum album(problem, e.thickness_A, all_fields || pressed);
+  const membrane::Mesh mesh = membrane::mesh_of(problem);
   const membrane::Report report = membrane::solve(problem, [&](const membrane::Step& step) {
     append(e.run, step);
     album.keep(step);
     if (pressed) append_extremes(e.run.continuum(), picture_of(problem, step, e.thickness_A));
+    if (e.run.compression && problem.bending) append_folds(e, mesh, step);
     return !interrupted();
   });
   close(e.run, report);

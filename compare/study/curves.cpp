@@ -15,6 +15,16 @@ void press(Run& run, double pressure_eV_per_A3, double volume_A3, double flat_ar
   run.conjugate_depth_A.back() = volume_A3 / flat_area_A2;
 }
 
+/// Of a sheet whose rim is pulled: where it is wrinkled, or bears compression.
+void append_tautness(Run& run, const membrane::Step& step) {
+  ContinuumPart& part = run.continuum();
+  run.rim_displacement_A.push_back(step.rim_displacement_A);
+  part.wrinkled_area_fraction.push_back(step.tautness.wrinkled_area_fraction);
+  part.slack_area_fraction.push_back(step.tautness.slack_area_fraction);
+  part.compressed_area_fraction.push_back(step.tautness.compressed_area_fraction);
+  part.least_membrane_force_eV_per_A2.push_back(step.tautness.least_force_eV_per_A2);
+}
+
 }  // namespace
 
 void append(Run& run, const membrane::Step& step) {
@@ -26,6 +36,13 @@ void append(Run& run, const membrane::Step& step) {
   run.continuum().newton_iterations.push_back(step.newton_iterations);
   if (run.load == LoadKind::pressure)
     press(run, step.pressure_eV_per_A3, step.volume_A3, step.volume_A3 / step.conjugate_depth_A);
+  if (run.compression) append_tautness(run, step);
+}
+
+void append(Run& run, const Wrinkles& wrinkles) {
+  run.wrinkle_count.push_back(wrinkles.count);
+  run.wrinkle_wavelength_A.push_back(wrinkles.count > 0 ? wrinkles.wavelength_A : not_known);
+  run.wrinkle_amplitude_A.push_back(wrinkles.amplitude_A);
 }
 
 namespace {

@@ -6,11 +6,15 @@
 #include "atomistic/problem.hpp"
 #include "compare/potential/law/calibrated_law.hpp"
 #include "compare/results/result.hpp"
+#include "compare/study/wrinkles.hpp"
 #include "membrane/problem.hpp"
 
 namespace validate {
 
 void append(Run& run, const membrane::Step& step);
+
+/// What the last point's sheet is wrinkled by.
+void append(Run& run, const Wrinkles& wrinkles);
 
 /// Of a meridian, with the longest bond that its strains predict, where the law knows it. `stretch` is the flat
 /// sheet's.

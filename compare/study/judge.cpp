@@ -58,7 +58,7 @@ void judge_all(std::vector<PairedLoad>& loads, const std::map<LoadKind, Anisotro
     if (auto explanation = explanation_of(load, anisotropies)) result.explanations.push_back(std::move(*explanation));
   for (PairedLoad& load : loads)
     if (load.atoms) result.runs.push_back(std::move(load.atoms->run));
-  hand_over(loads, {Purpose::given, Purpose::like_for_like, Purpose::paper}, result.runs);
+  hand_over(loads, {Purpose::given, Purpose::like_for_like, Purpose::compression_borne, Purpose::paper}, result.runs);
   hand_over(loads, {Purpose::calibrated_membrane, Purpose::calibrated_sheet}, result.runs);
   fit_runs(result, ladder);
   add_biases(result);

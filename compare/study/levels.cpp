@@ -104,7 +104,7 @@ Levels sheet_window(const Case& c, const ContinuumExperiment& sheet) {
 /// More controlled depths for the judged load, by the continuum that it is judged against: just below the window's
 /// lower end, just above its upper one, and those in between that the case's own list leaves out.
 Levels window_levels(const Case& c, const PairedLoad& pair) {
-  if (pair.load != c.judged_load || c.models != Models::both || !pair.atoms) return {};
+  if (pair.load != c.judged_load || c.models != Models::both || !pair.atoms || has_pulled_rim(c)) return {};
   if (!c.forces_eV_per_A.empty() || pair.load == LoadKind::pressure) return {};
   if (c.against == Against::sheet) {
     const ContinuumExperiment* sheet = pair.find(Purpose::calibrated_sheet);
@@ -118,6 +118,7 @@ Levels beside(const Case& c, Purpose purpose, LoadKind load, const Levels& level
   const bool depths = load != LoadKind::pressure && c.forces_eV_per_A.empty();
   switch (purpose) {
     case Purpose::given:
+    case Purpose::compression_borne:
     case Purpose::paper:
       return levels_of(c, load);
     case Purpose::like_for_like:
@@ -136,11 +137,31 @@ Levels beside(const Case& c, Purpose purpose, LoadKind load, const Levels& level
 
 void set_levels(ContinuumExperiment& e, const Levels& levels) { e.problem.levels = levels; }
 
+namespace {
+
+/// A perfect lattice has no reason to leave its round shape: every level starts with a little of the waves that the
+/// sheet with bending has at the last one.
+void start_wrinkled(PairedLoad& pair) {
+  constexpr double start_A = 0.1;
+  const ContinuumExperiment* sheet = pair.find(Purpose::calibrated_sheet);
+  if (!sheet) return;
+  const Run wrinkled = scouted(*sheet, pair.atoms->problem.levels);
+  int count = 0;
+  for (const int one : wrinkled.wrinkle_count)
+    if (one > 0) count = one;
+  if (count == 0) return;
+  pair.atoms->problem.ripple_A = start_A;
+  pair.atoms->problem.ripple_waves = count;
+}
+
+}  // namespace
+
 void set_levels(const Case& c, PairedLoad& pair) {
   const Levels levels = merged(levels_of(c, pair.load), window_levels(c, pair));
   for (ContinuumExperiment& e : pair.continua) set_levels(e, beside(c, e.purpose, pair.load, levels));
   if (!pair.atoms) return;
   pair.atoms->problem.levels = levels;
+  if (has_pulled_rim(c)) start_wrinkled(pair);
   if (!pair.guide) return;
   set_levels(*pair.guide, levels);
   pair.atoms->problem.guides = guides_from(pair.guide->problem);

@@ -9,6 +9,7 @@
 #include "compare/process/provenance.hpp"
 #include "compare/study/atoms.hpp"
 #include "compare/study/continua.hpp"
+#include "compare/study/flat_tension.hpp"
 #include "compare/study/judge.hpp"
 #include "compare/study/levels.hpp"
 #include "compare/study/summaries.hpp"
@@ -69,6 +70,7 @@ void run_with_potential(const Case& c, const PotentialFile& potential, const Stu
     outcome.result.sheet = summary_of(c, sheet);
   }
   std::vector<PairedLoad> loads = pair(c, {potential, *card, sheet});
+  if (has_pulled_rim(c) && outcome.sheet && !measure_flat_tension(loads, *card, options, outcome, progress)) return;
   for (PairedLoad& load : loads) set_levels(c, load);
   solve(loads, &*card, options, outcome, progress);
 }

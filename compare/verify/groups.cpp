@@ -18,9 +18,15 @@ const std::array all = {
     Group{"figure4", "the paper's pressurised square", verify_figure4},
 };
 
+const std::array of_wrinkles = {
+    Group{"rim", "a disc whose rim slides under a dead tension: taut, tension field, cone", verify_pulled_rim},
+};
+
 }  // namespace
 
 std::span<const Group> groups() { return all; }
+
+std::span<const Group> wrinkles_groups() { return of_wrinkles; }
 
 std::vector<VerificationRow> run(const Group& group, const OnRow& on_row) {
   Ledger ledger(std::string(group.name), on_row);

@@ -19,6 +19,7 @@ void verify_bending(Ledger& ledger);
 void verify_pressure(Ledger& ledger);
 void verify_wrinkling(Ledger& ledger);
 void verify_figure4(Ledger& ledger);
+void verify_pulled_rim(Ledger& ledger);
 
 struct Group {
   std::string_view name, what;
@@ -26,6 +27,9 @@ struct Group {
 };
 
 std::span<const Group> groups();
+
+/// Of `validate verify wrinkles`.
+std::span<const Group> wrinkles_groups();
 
 /// The rows of a group. A case that does not converge ends its group with a failing row that says why.
 std::vector<VerificationRow> run(const Group& group, const OnRow& on_row);

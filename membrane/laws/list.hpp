@@ -25,6 +25,9 @@ bool is_isotropic(const Law& law);
 /// E·h of small strains.
 double sheet_modulus(const Law& law);
 
+/// A compressive membrane force (eV/Å²) that is no more than rounding.
+inline double least_compression(const Law& law) { return 1e-9 * sheet_modulus(law); }
+
 /// Poisson ratio of small strains.
 double poisson_ratio(const Law& law);
 

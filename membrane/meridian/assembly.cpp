@@ -53,12 +53,15 @@ std::vector<QuadraturePoint> watched(const std::vector<double>& nodes, double fa
 }  // namespace
 
 Assembly::Assembly(std::vector<double> nodes, std::vector<int> held, std::vector<EnergyTerm> terms,
-                   std::optional<SphereContact> contact, double rim_spring_eV)
+                   std::optional<SphereContact> contact, double rim_spring_eV, double rim_pull_eV_per_A,
+                   double rim_stiffness_eV_per_A2)
     : nodes_(std::move(nodes)),
       held_(std::move(held)),
       terms_(std::move(terms)),
       contact_(contact),
       rim_spring_eV_(rim_spring_eV),
+      rim_pull_eV_per_A_(rim_pull_eV_per_A),
+      rim_stiffness_eV_per_A2_(rim_stiffness_eV_per_A2),
       points_(quadrature(nodes_)) {
   if (contact_) contact_points_ = watched(nodes_, ContactTuning::watched_share * contact_->radius_A);
 }
@@ -89,6 +92,12 @@ double Assembly::energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     const Eigen::Index slope = dof_count() - 1;
     parts_[bending_term] += rim_spring_eV_ * x[slope] * x[slope] / 2;
     gradient[slope] += rim_spring_eV_ * x[slope];
+  }
+  if (rim_pull_eV_per_A_ != 0) {
+    const Eigen::Index outward = dof_count() - dofs_per_node;
+    const double force = rim_stiffness_eV_per_A2_ * x[outward] / 2 - rim_pull_eV_per_A_;
+    parts_[pressure_term] += force * x[outward];
+    gradient[outward] += force + rim_stiffness_eV_per_A2_ * x[outward] / 2;
   }
   for (const QuadraturePoint& point : pressed()) {
     const Density density = (*contact_)(point.ring, state(point, x));
@@ -132,6 +141,7 @@ void Assembly::hessian(const Eigen::VectorXd& x, BlockTridiagonal& K) const {
     add(point, (*contact_)(point.ring, state(point, x), pressures_[i]).hessian, K);
   }
   K.diagonal.back()(dofs_per_node - 1, dofs_per_node - 1) += rim_spring_eV_;
+  K.diagonal.back()(0, 0) += rim_stiffness_eV_per_A2_;
   for (int dof : held_) K.hold(dof);
 }
 

@@ -23,9 +23,12 @@ struct QuadraturePoint {
 /// of freedom across the sheet, since with more the constraints would contradict each other.
 class Assembly {
  public:
-  /// `rim_spring_eV`: moment over angle of a rim that turns, counted as bending.
+  /// `rim_spring_eV`: moment over angle of a rim that turns, counted as bending. `rim_pull_eV_per_A`: dead force on the
+  /// whole rim, outwards, and `rim_stiffness_eV_per_A2` against its displacement: their potential is counted with the
+  /// pressure's.
   Assembly(std::vector<double> nodes, std::vector<int> held, std::vector<EnergyTerm> terms,
-           std::optional<SphereContact> contact, double rim_spring_eV = 0);
+           std::optional<SphereContact> contact, double rim_spring_eV = 0, double rim_pull_eV_per_A = 0,
+           double rim_stiffness_eV_per_A2 = 0);
 
   /// Total energy (eV) and gradient (zero at held degrees of freedom).
   double energy(const Eigen::VectorXd& x, Eigen::VectorXd& gradient);
@@ -102,7 +105,7 @@ class Assembly {
   std::vector<int> held_;
   std::vector<EnergyTerm> terms_;
   std::optional<SphereContact> contact_;
-  double rim_spring_eV_;
+  double rim_spring_eV_, rim_pull_eV_per_A_, rim_stiffness_eV_per_A2_;
   /// Where the contact acts: nowhere without a barrier.
   std::span<const QuadraturePoint> pressed() const {
     return contact_ && contact_->barrier_eV_per_A2 > 0 ? std::span(contact_points_)

@@ -23,11 +23,12 @@ class Path {
         assembly_(assembly_of(problem)),
         newton_(assembly_),
         pattern_(pattern_of(problem, assembly_)),
-        predictor_(tip_shape(problem, assembly_, pattern_), problem.pressure_eV_per_A3 == 0) {}
+        predictor_(tip_shape(problem, assembly_, pattern_),
+                   problem.pressure_eV_per_A3 == 0 && problem.edge_tension_eV_per_A2 == 0) {}
 
   Report follow(const OnStep& on_step) {
     report_.elements = assembly_.element_count();
-    if (inflate()) go_through_levels(on_step);
+    if (begin()) go_through_levels(on_step);
     report_.factorisations = newton_.factorisations();
     report_.assemblies = assembly_.passes();
     return report_;
@@ -39,7 +40,23 @@ class Path {
     Known known;
   };
 
-  /// The constant pressure comes first, as a path of its own.
+  /// What is there before the load comes first: the rim's tension, the constant pressure, as a path of its own.
+  bool begin() {
+    if (problem_.edge_tension_eV_per_A2 > 0) return stretch();
+    return inflate();
+  }
+
+  /// The flat sheet, its rim pulled outwards.
+  bool stretch() {
+    Attempt at{{}, {0, 0, evenly_stretched(problem_, assembly_)}};
+    find({}, at);
+    report_.reason = "the rim's tension: " + at.equilibrium.reason;
+    if (!at.equilibrium.converged) return false;
+    flat_energy_ = record(problem_, assembly_, at.known.x).energy_eV;
+    predictor_.add(at.known);
+    return true;
+  }
+
   bool inflate() {
     if (problem_.pressure_eV_per_A3 == 0) return true;
     const Attempt end = reach_pressure(problem_.pressure_eV_per_A3);
@@ -104,7 +121,8 @@ class Path {
 
   /// Secants in log force over log depth, which is nearly straight.
   Attempt reach_force(double force) {
-    Attempt at = reach_depth(predictor_.last() ? predictor_.depth_at(force) : start_depth(problem_, force));
+    const bool loaded = predictor_.last() && predictor_.last()->force_eV_per_A > 0;
+    Attempt at = reach_depth(loaded ? predictor_.depth_at(force) : start_depth(problem_, force));
     for (int i = 0; i < PathTuning::most_corrections && at.equilibrium.converged; ++i) {
       if (std::abs(at.known.force_eV_per_A - force) <= PathTuning::force_tolerance * force) return at;
       if (!(at.known.force_eV_per_A > 0)) break;
@@ -201,7 +219,7 @@ class Path {
   }
 
   Step step(int level, const Attempt& end) {
-    Step step = record(problem_, assembly_, end.known.x);
+    Step step = record(problem_, assembly_, end.known.x, flat_energy_);
     step.level = level;
     step.converged = end.equilibrium.converged;
     const double area = std::numbers::pi * std::pow(assembly_.nodes().back(), 2);
@@ -219,8 +237,9 @@ class Path {
   Eigen::VectorXd pattern_;
   Predictor predictor_;
   Report report_;
-  double pressure_ = 0;  ///< of the last bulge that was found, eV/Å³
-  int iterations_ = 0;   ///< on the way to the present level, cut-backs included
+  double flat_energy_ = 0;  ///< of the sheet that its rim alone stretches, eV
+  double pressure_ = 0;     ///< of the last bulge that was found, eV/Å³
+  int iterations_ = 0;      ///< on the way to the present level, cut-backs included
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 namespace membrane::meridian {
 
 /// Shape, energies, strains, forces, volume and reactions of x; what belongs to the path is left for it to fill in.
-Step record(const Problem& problem, Assembly& assembly, const Eigen::VectorXd& x);
+/// The energy is counted from that of the flat sheet under its rim's tension.
+Step record(const Problem& problem, Assembly& assembly, const Eigen::VectorXd& x, double flat_energy_eV = 0);
 
 }  // namespace membrane::meridian

@@ -23,6 +23,21 @@ inline double rim_spring_eV(const Problem& problem) {
   return 2 * std::numbers::pi * radius_A(problem) * bending_modulus_eV(problem) / margin;
 }
 
+/// Force on the whole rim, outwards, eV/Å: dead, and of the edge's own stress.
+inline double rim_pull_eV_per_A(const Problem& problem) {
+  return 2 * std::numbers::pi * (radius_A(problem) * problem.edge_tension_eV_per_A2 - problem.edge.stress_eV_per_A);
+}
+
+/// Of the rim's displacement, eV/Å²: a line of length 2π a that is stretched by u/a.
+inline double rim_stiffness_eV_per_A2(const Problem& problem) {
+  return 2 * std::numbers::pi * problem.edge.stiffness_eV_per_A / radius_A(problem);
+}
+
+/// Energy of the rim's force and stiffness at a displacement outwards, eV.
+inline double rim_potential_eV(const Problem& problem, double displacement_A) {
+  return (rim_stiffness_eV_per_A2(problem) * displacement_A / 2 - rim_pull_eV_per_A(problem)) * displacement_A;
+}
+
 /// What a meridian wants to know of a load beside its pattern.
 struct Traits {
   double radius_A = 0;  ///< of the loaded part or the sphere; 0: none

@@ -64,7 +64,13 @@ Assembly assembly_of(const Problem& problem) {
   std::optional<SphereContact> contact;
   if (const Traits load = traits_of(problem); load.sphere) contact = SphereContact{.radius_A = load.radius_A};
   const double spring = rim_spring_eV(problem);
-  return {std::move(nodes), std::move(held), terms_of(problem), contact, std::isinf(spring) ? 0 : spring};
+  return {std::move(nodes),
+          std::move(held),
+          terms_of(problem),
+          contact,
+          std::isinf(spring) ? 0 : spring,
+          problem.edge_tension_eV_per_A2 > 0 ? rim_pull_eV_per_A(problem) : 0,
+          rim_stiffness_eV_per_A2(problem)};
 }
 
 Eigen::VectorXd pattern_of(const Problem& problem, const Assembly& assembly) {
@@ -93,11 +99,20 @@ Eigen::VectorXd bulge_shape(const Problem& problem, const Assembly& assembly, do
       [&](double r) { return -2 * depth * r / (a * a); });
 }
 
+Eigen::VectorXd evenly_stretched(const Problem& problem, const Assembly& assembly) {
+  const double strain = problem.edge_tension_eV_per_A2 * (1 - poisson_ratio(problem.law)) / sheet_modulus(problem.law);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(assembly.dof_count());
+  for (int n = 0; n <= assembly.element_count(); ++n)
+    x.segment<2>(dofs_per_node * n) << strain * assembly.nodes()[n], strain;
+  assembly.release_held(x);
+  return x;
+}
+
 double start_depth(const Problem& problem, double force) {
   const double pi = std::numbers::pi;
   const double a = radius_A(problem);
   const double none = std::numeric_limits<double>::infinity();
-  const double tension = pretension_eV_per_A2(problem);
+  const double tension = pretension_eV_per_A2(problem) + problem.edge_tension_eV_per_A2;
   const double bending = bending_modulus_eV(problem);
   return std::min({std::cbrt(force * a * a / sheet_modulus(problem.law)), tension > 0 ? force / (pi * tension) : none,
                    bending > 0 ? force * a * a / (16 * pi * bending) : none});

@@ -21,6 +21,9 @@ Eigen::VectorXd pattern_of(const Problem& problem, const Assembly& assembly);
 /// The load's conjugate depth of a shape: the pattern's, or else the depth at the centre.
 double conjugate_depth(const Eigen::VectorXd& pattern, const Eigen::VectorXd& x);
 
+/// The flat sheet stretched as Hooke's law says of the rim's tension.
+Eigen::VectorXd evenly_stretched(const Problem& problem, const Assembly& assembly);
+
 /// Schwerin's shape 1 − (ρ/ρ_a)^(2/3), ρ² = r² + c², at a conjugate depth of one; c is the load's radius.
 Eigen::VectorXd tip_shape(const Problem& problem, const Assembly& assembly, const Eigen::VectorXd& pattern);
 

@@ -18,6 +18,11 @@ Response Stretching::response(const Voigt& strain) const {
   return std::visit([&]<MaterialLaw L>(const L& l) { return relaxed ? tension_field(l, total) : l(total); }, law);
 }
 
+SheetState Stretching::state(const Voigt& strain) const {
+  const Voigt total = strain + Voigt(offset, offset, 0);
+  return std::visit([&]<MaterialLaw L>(const L& l) { return sheet_state(l, total); }, law);
+}
+
 Density Stretching::operator()(const Ring& ring, const LocalState& y) const {
   const double s = ring.radius_A;
   const Response at = response(strain(s, y));

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "membrane/laws/list.hpp"
+#include "membrane/laws/sheet_state.hpp"
 #include "membrane/meridian/hermite.hpp"
 
 namespace membrane::meridian {
@@ -34,6 +35,8 @@ struct Stretching {
   static Voigt strain(double s, const LocalState& y);
   /// The law at a strain of the sheet.
   Response response(const Voigt& strain) const;
+  /// What a relaxed sheet does at a strain of the sheet.
+  SheetState state(const Voigt& strain) const;
 };
 
 /// ½ κ (κ1 + κ2)² with the principal curvatures of the deformed surface, exact at any rotation:

@@ -11,6 +11,8 @@
 #include "membrane/triangles/model.hpp"
 #include "membrane/triangles/newton.hpp"
 #include "membrane/triangles/predictor.hpp"
+#include "membrane/triangles/start.hpp"
+#include "membrane/triangles/tautness.hpp"
 #include "membrane/triangles/tuning.hpp"
 
 namespace membrane {
@@ -19,7 +21,9 @@ namespace {
 /// Where a search for an equilibrium ended, converged or not.
 struct Attempt {
   Equilibrium equilibrium;
-  Eigen::VectorXd u;  ///< Å
+  Eigen::VectorXd u;                             ///< Å
+  std::optional<double> softest, first_softest;  ///< as in TriangleShape
+  int saddles_left = 0;
 };
 
 class LoadPath {
@@ -32,14 +36,33 @@ class LoadPath {
 
   Report follow(const OnStep& on_step) {
     report_.elements = static_cast<int>(model_.mesh().triangles.size());
-    if (inflate()) go_through_levels(on_step);
+    if (begin()) go_through_levels(on_step);
     report_.factorisations = newton_.factorisations();
     report_.assemblies = model_.energy().passes();
     return report_;
   }
 
  private:
-  /// The constant pressure comes first, as a path of its own.
+  /// What is there before the load comes first: the edges' tension, the constant pressure, as a path of its own.
+  bool begin() {
+    if (problem_.edge_tension_eV_per_A2 > 0) return stretch();
+    return inflate();
+  }
+
+  /// The flat sheet, its edges pulled outwards.
+  bool stretch() {
+    newton_.set_dead_load(model_.edge().forces().norm());
+    Eigen::VectorXd u = evenly_stretched(model_, problem_.edge_tension_eV_per_A2);
+    const Equilibrium at = newton_.solve({Control::force, 0}, u);
+    if (!at.converged) {
+      report_.reason = "the edges' tension: " + at.reason;
+      return false;
+    }
+    flat_energy_ = model_.stretching_energy(u) + model_.edge_potential(u);
+    drive_ = make_drive_from(problem_, model_, newton_, std::move(u));
+    return true;
+  }
+
   bool inflate() {
     if (problem_.pressure_eV_per_A3 == 0) {
       drive_ = make_drive(problem_, model_, newton_);
@@ -78,8 +101,25 @@ class LoadPath {
     Attempt attempt{{}, drive_->guess(value)};
     attempt.equilibrium = settle(drive_->target(value), attempt.u);
     iterations_ += attempt.equilibrium.iterations;
+    if (problem_.bending) leave_saddles(drive_->target(value), attempt);
     if (attempt.equilibrium.converged) drive_->passed(value, attempt.equilibrium, attempt.u);
     return attempt;
+  }
+
+  /// A sheet that could wrinkle need not: Newton's method stays on the branch that it came along. From a saddle it goes
+  /// down along the softest direction.
+  void leave_saddles(const Target& target, Attempt& attempt) {
+    const double length = std::sqrt(problem_.bending->mean_eV / sheet_modulus(problem_.law));
+    while (attempt.equilibrium.converged) {
+      const Softest direction = newton_.softest_at(attempt.u);
+      attempt.softest = direction.stiffness_eV_per_A2;
+      if (!attempt.first_softest) attempt.first_softest = attempt.softest;
+      if (attempt.saddles_left == SoftestTuning::most_saddles) return;
+      if (!newton_.leave_saddle(direction, SoftestTuning::first_step * length, attempt.u)) return;
+      ++attempt.saddles_left;
+      attempt.equilibrium = settle(target, attempt.u);
+      iterations_ += attempt.equilibrium.iterations;
+    }
   }
 
   /// Equilibrium with the contact forces that belong to it.
@@ -150,16 +190,22 @@ class LoadPath {
     step.pressure_eV_per_A3 = model_.pressure_towards_tip();
     step.volume_A3 = -copies * model_.pressure().volume(end.u);
     step.bending_energy_eV = copies * model_.bending_energy(end.u);
-    step.energy_eV = copies * model_.stretching_energy(end.u) + step.bending_energy_eV;
+    step.energy_eV = copies * (model_.stretching_energy(end.u) + model_.edge_potential(end.u) - flat_energy_) +
+                     step.bending_energy_eV;
     step.relative_residual = at.relative_residual;
     for (const Obstacle* obstacle : model_.obstacles())
       step.penetration_A = std::max(step.penetration_A, obstacle->penetration(end.u));
     step.rim_membrane_force_eV_per_A2 = rim_membrane_force(end.u);
+    step.rim_displacement_A = mean_outward_on_rim(mesh, end.u);
+    step.tautness = tautness_of(mesh, model_.stretching().material(), end.u);
     step.newton_iterations = iterations_;
     TriangleShape shape{.displacements = end.u.head(3 * mesh.node_count()),
                         .reactions = {},
                         .residual_history = at.residual_history,
-                        .smallest_pivot_sign = at.smallest_pivot_sign};
+                        .smallest_pivot_sign = at.smallest_pivot_sign,
+                        .softest_eV_per_A2 = end.softest,
+                        .first_softest_eV_per_A2 = end.first_softest,
+                        .saddles_left = end.saddles_left};
     add_reactions(step, shape);
     step.shape = std::move(shape);
     return step;
@@ -171,7 +217,8 @@ class LoadPath {
   Newton newton_;
   std::unique_ptr<Drive> drive_;
   Report report_;
-  int iterations_ = 0;  ///< on the way to the present level, cut-backs included
+  double flat_energy_ = 0;  ///< of the flat sheet under its edges' tension, of the meshed part
+  int iterations_ = 0;      ///< on the way to the present level, cut-backs included
 };
 
 }  // namespace

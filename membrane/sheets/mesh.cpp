@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,10 +34,31 @@ double Mesh::area_A2() const {
 }
 
 void Mesh::support(Edge edge, Support support) {
+  supports[edge] = support;
   for (int node : edges.at(edge)) {
     if (support == Support::clamped) held[node] = {true, true, true};
     if (support == Support::sliding) held[node][2] = true;
   }
+}
+
+bool Mesh::slides(Edge edge) const {
+  const auto found = supports.find(edge);
+  return found != supports.end() && found->second == Support::sliding;
+}
+
+/// A side is on the boundary where one triangle alone has it.
+std::vector<std::array<int, 2>> sliding_sides(const Mesh& mesh) {
+  std::set<int> sliding;
+  for (const auto& [edge, members] : mesh.edges)
+    if (mesh.slides(edge)) sliding.insert(members.begin(), members.end());
+  std::set<std::array<int, 2>> sides;
+  for (const Triangle& triangle : mesh.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const int start = triangle.nodes[i], end = triangle.nodes[(i + 1) % 3];
+      if (!sliding.contains(start) || !sliding.contains(end)) continue;
+      if (sides.erase({end, start}) == 0) sides.insert({start, end});
+    }
+  return {sides.begin(), sides.end()};
 }
 
 Triangle make_triangle(const std::vector<Eigen::Vector2d>& nodes, const std::array<int, 3>& corners) {

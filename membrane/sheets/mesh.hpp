@@ -36,6 +36,7 @@ struct Mesh {
   std::vector<Triangle> triangles;     ///< counter-clockwise
   Held held;                           ///< per node and component: the displacement is prescribed
   std::map<Edge, std::vector<int>> edges;
+  std::map<Edge, Support> supports;               ///< of the edges that support() was told of
   std::vector<NodeRing> rings;                    ///< of a round sheet, outwards; else empty
   std::vector<int> rim_triangles;                 ///< triangles with an edge on the rim of a round sheet
   std::array<bool, 2> mirrored = {false, false};  ///< x = 0, y = 0 are symmetry planes of the full sheet
@@ -46,10 +47,16 @@ struct Mesh {
 
   /// Holds the nodes of an edge as its support asks for, in addition to what holds them already.
   void support(Edge edge, Support support);
+
+  /// Whether an edge is held in its plane alone.
+  bool slides(Edge edge) const;
 };
 
 /// Triangle over three nodes of the plane. Throws std::invalid_argument if it is degenerate or turned over.
 Triangle make_triangle(const std::vector<Eigen::Vector2d>& nodes, const std::array<int, 3>& corners);
+
+/// The boundary sides of the edges that are held in their plane alone, as the sheet lies to their left.
+std::vector<std::array<int, 2>> sliding_sides(const Mesh& mesh);
 
 /// Weights over the nodes (length: node count, total 1) whose dot product with a nodal field is its mean over the angle
 /// at radius r: on a ring of nodes exactly, between two rings linear in r. At r = 0, and where there are no rings, the

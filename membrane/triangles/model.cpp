@@ -93,9 +93,11 @@ Model::Model(const Problem& problem)
     : mesh_(mesh_of(problem)),
       stretching_(mesh_, material_of(problem, mesh_)),
       pressure_(mesh_),
+      edge_(mesh_, problem.edge_tension_eV_per_A2),
+      line_(mesh_, problem.edge),
       sphere_radius_A_(traits_of(problem.load).sphere_radius_A) {
   const double stiffness = ContactTuning::stiffness * sheet_modulus(problem.law);
-  std::vector<EnergyTerm*> terms{&stretching_, &pressure_};
+  std::vector<EnergyTerm*> terms{&stretching_, &pressure_, &edge_, &line_};
   if (sphere_radius_A_ > 0) {
     sphere_ = std::make_unique<SphereObstacle>(mesh_, sphere_radius_A_, stiffness);
     obstacles_.push_back(sphere_.get());

@@ -8,6 +8,8 @@
 #include "membrane/bending/term.hpp"
 #include "membrane/loads/pattern.hpp"
 #include "membrane/problem.hpp"
+#include "membrane/terms/edge_line.hpp"
+#include "membrane/terms/edge_tension.hpp"
 #include "membrane/terms/obstacles.hpp"
 #include "membrane/terms/pressure.hpp"
 #include "membrane/terms/stretching.hpp"
@@ -52,6 +54,11 @@ class Model {
   /// Stretching or bending energy alone (eV), of the meshed part.
   double stretching_energy(const Eigen::VectorXd& u);
   double bending_energy(const Eigen::VectorXd& u);
+  /// Potential of the edges' tension and of their own stress (eV), of the meshed part.
+  double edge_potential(const Eigen::VectorXd& u) const {
+    return line_.energy(u) - edge_.forces().dot(u.head(edge_.forces().size()));
+  }
+  const EdgeTension& edge() const { return edge_; }
 
   /// Puts the nodes of a moved edge where the level wants them.
   void move_edge(const EdgeMotion& motion, double level, Eigen::VectorXd& u) const;
@@ -66,6 +73,8 @@ class Model {
   Mesh mesh_;
   Stretching stretching_;
   Pressure pressure_;
+  EdgeTension edge_;
+  EdgeLine line_;
   std::unique_ptr<BendingTerm> bending_;
   std::unique_ptr<SphereObstacle> sphere_;
   double sphere_radius_A_ = 0;

@@ -55,6 +55,12 @@ Eigen::VectorXd Newton::linear_response(const Eigen::VectorXd& u, const Eigen::V
   return factor_.solve(right_side);
 }
 
+Softest Newton::softest_at(const Eigen::VectorXd& u) { return softest(total_, factor_, u, direction_); }
+
+bool Newton::leave_saddle(const Softest& direction, double smallest_A, Eigen::VectorXd& u) {
+  return direction.stiffness_eV_per_A2 < 0 && step_off(total_, direction, smallest_A, u);
+}
+
 /// The multiplier of the depth: (g − F q)·K⁻¹ q = 0, so that the step K⁻¹(g − F q) leaves the depth as it is.
 double Newton::force_at(const Target& target) const {
   if (target.control == Control::force) return target.value;
@@ -64,7 +70,8 @@ double Newton::force_at(const Target& target) const {
 /// What the residual is compared with: the load on the sheet, or what holds it against loads of other kinds.
 double Newton::load_norm(double force) const {
   const double load = std::abs(force) * direction_.norm();
-  return load > 0 ? load : (gradient_ - residual_).norm();  // the held part
+  if (load > 0) return load;
+  return dead_load_ > 0 ? dead_load_ : (gradient_ - residual_).norm();  // the held part
 }
 
 /// Whether the supports carry the load across the sheet: what is missing is the sum of the residual.

@@ -8,6 +8,7 @@
 #include "membrane/problem.hpp"
 #include "membrane/terms/total_energy.hpp"
 #include "membrane/triangles/factor.hpp"
+#include "membrane/triangles/softest.hpp"
 
 namespace membrane {
 
@@ -61,6 +62,9 @@ class Newton {
   /// sheet: the residual is then measured by the supports' forces.
   Newton(TotalEnergy& energy, Eigen::VectorXd direction, Triangles options);
 
+  /// Norm of other dead forces (eV/Å): the scale of a residual where the pattern's load is 0.
+  void set_dead_load(double norm) { dead_load_ = norm; }
+
   /// Improves u in place. It has the target's depth (with conjugate depth control) and its held components already.
   Equilibrium solve(const Target& target, Eigen::VectorXd& u, FirstFactor first = FirstFactor::fresh);
 
@@ -69,6 +73,10 @@ class Newton {
 
   /// K⁻¹ of the tangent at u, on a vector whose held components are zero. Not finite where there is no tangent.
   Eigen::VectorXd linear_response(const Eigen::VectorXd& u, const Eigen::VectorXd& right_side);
+
+  /// The softest direction at u, and a step along it where it leads down (softest.hpp); the depth stays what it is.
+  Softest softest_at(const Eigen::VectorXd& u);
+  bool leave_saddle(const Softest& direction, double smallest_A, Eigen::VectorXd& u);
 
   int factorisations() const { return factor_.count(); }
 
@@ -89,6 +97,7 @@ class Newton {
   Eigen::VectorXd direction_;  ///< of the load, zero where held
   Eigen::VectorXd response_;   ///< K⁻¹ direction, with the factor kept
   double multiplier_ = 0;      ///< force along direction_, eV/Å; of a curved depth what its energy lacks of it
+  double dead_load_ = 0;
   double energy_ = 0;
   int pivot_sign_ = 1;
   double damping_ = 0;  ///< share of the tangent's largest diagonal entry that is added to its diagonal

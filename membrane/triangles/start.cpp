@@ -50,6 +50,14 @@ Eigen::VectorXd StiffenedSheet::under_motion(const Eigen::VectorXd& held_displac
   });
 }
 
+Eigen::VectorXd evenly_stretched(Model& model, double tension_eV_per_A2) {
+  const Law& law = model.stretching().material().law;
+  const double strain = tension_eV_per_A2 * (1 - poisson_ratio(law)) / sheet_modulus(law);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(model.energy().dof_count());
+  for (int n = 0; n < model.mesh().node_count(); ++n) u.segment<2>(3 * n) = strain * model.mesh().nodes[n];
+  return u;
+}
+
 /// The slope of Π along the shape is negative at 0 and rises once stretching outweighs the load: bracket, then bisect.
 double balanced_amplitude(Model& model, const Eigen::VectorXd& shape, const Eigen::VectorXd& forces) {
   Eigen::VectorXd gradient;

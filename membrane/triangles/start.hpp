@@ -29,6 +29,9 @@ class StiffenedSheet {
   Newton& newton_;
 };
 
+/// The flat sheet stretched as Hooke's law says of an even tension: a start that is stiff out of its plane.
+Eigen::VectorXd evenly_stretched(Model& model, double tension_eV_per_A2);
+
 /// The multiple of a shape at which U(shape) − work of the forces on it is least: where the load has lifted a sheet
 /// that stiffens as it stretches.
 double balanced_amplitude(Model& model, const Eigen::VectorXd& shape, const Eigen::VectorXd& forces);

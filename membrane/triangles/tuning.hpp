@@ -43,6 +43,19 @@ struct FactorTuning {
   static constexpr int fewest_steps = 3, most_steps = 12;
 };
 
+/// The softest direction of a sheet that bends, and the way off a saddle (softest.cpp, load_path.cpp).
+struct SoftestTuning {
+  /// Of the tangent's largest diagonal entry: shifts that are tried in turn.
+  static constexpr double first_shift = 1e-9, shift_growth = 4, most_shift = 0.1;
+  /// Solutions of the inverse iteration. A disc of 32 rings at twice the depth where it wrinkles: 15 leave the sign
+  /// right and the stiffness off by a tenth, 40 by 1e-3.
+  static constexpr int iterations = 40;
+  /// Of the length over which the sheet bends, √(κ/E·h): the first step off a saddle.
+  static constexpr double first_step = 0.01;
+  /// Saddles left at one level; after the second there was never another.
+  static constexpr int most_saddles = 6;
+};
+
 /// Contact (model.cpp, load_path.cpp).
 struct ContactTuning {
   /// Stiffness over the sheet modulus: above that of the sheet's elements, so that few updates of the multipliers

@@ -10,8 +10,10 @@
 #include "compare/documents/texts/breaking_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
+#include "compare/documents/texts/pulled_rim_table.hpp"
 #include "compare/documents/texts/regime_text.hpp"
 #include "compare/documents/texts/report_tables.hpp"
+#include "compare/results/pulled_rim.hpp"
 
 namespace validate {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string name_of(const Run& run) {
+  if (has_pulled_rim(run)) return pulled_curve_in_words(run);
   const std::string name =
       fmt::format("{}, {}", run.model == Model::atomistic ? "atoms" : to_string(run.model), to_string(run.load));
   if (!run.constants) return name;
@@ -187,10 +190,12 @@ bool is_indented(const Result& result) {
 }  // namespace
 
 std::string experiment_verdict(const Result& result) {
-  return heading(result) + (is_indented(result) ? verdict(result) : std::string());
+  return heading(result) +
+         (is_indented(result) && !(has_pulled_rim(result) && !result.sheet) ? verdict(result) : std::string());
 }
 
 std::string experiment_tables(const Result& result) {
+  if (const std::string pulled = pulled_rim_table(result); !pulled.empty()) return html::preformatted(pulled);
   return (is_indented(result) ? ladder_html(result) : std::string()) + pressed_tables(result);
 }
 

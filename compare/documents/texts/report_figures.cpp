@@ -19,11 +19,13 @@
 #include "compare/documents/plots/many_plot.hpp"
 #include "compare/documents/plots/measured_curve_plot.hpp"
 #include "compare/documents/plots/pressed_atoms_plot.hpp"
+#include "compare/documents/plots/pulled_rim_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/plots/stress_strain.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/report_html.hpp"
+#include "compare/results/pulled_rim.hpp"
 
 namespace validate {
 namespace {
@@ -93,11 +95,20 @@ std::vector<Drawing> pressed_drawings(const Result& result) {
   return drawings;
 }
 
+std::vector<Drawing> pulled_drawings(const Result& result) {
+  return {
+      {{.title = "force and wrinkles",
+        .caption = "Above: force over 2πTδ, what a sheet that is wrinkled all over bears under a point, against depth "
+                   "over radius. Below: the share of the area that is wrinkled (tension field) or compressed."},
+       pulled_rim_plot(result)}};
+}
+
 std::vector<Drawing> drawings(const Result& result, const std::filesystem::path& run_folder) {
   std::vector<Drawing> all;
   switch (result.command) {
     case Command::indentation:
     case Command::bulge:
+      if (has_pulled_rim(result)) return pulled_drawings(result);
       all = pressed_drawings(result);
       if (result.resolved.loads != std::vector<LoadKind>{LoadKind::pressure})
         for (Drawing& drawing : experiment_drawings(result, run_folder)) all.push_back(std::move(drawing));

@@ -19,6 +19,7 @@
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
 #include "compare/documents/texts/pressed_table.hpp"
+#include "compare/documents/texts/pulled_rim_table.hpp"
 #include "compare/documents/texts/regime_text.hpp"
 
 namespace validate {
@@ -146,8 +147,14 @@ std::string whole_table(const Result& result, int width, bool colour) {
   std::vector<Run> indented;
   std::ranges::copy_if(result.runs, std::back_inserter(indented),
                        [](const Run& run) { return run.load != LoadKind::pressure; });
-  const std::string pressed = pressed_table(result, width);
+  const std::string pressed = pressed_table(result, width), pulled = pulled_rim_table(result, width);
   std::string text;
+  if (!pulled.empty()) {
+    if (result.sheet) add_verdict(text, result, colour);
+    if (result.sheet) text += '\n';
+    add_given(text, result);
+    return text + pulled + ended_early(result);
+  }
   if (indented.empty()) {
     add_given(text, result);
     return text + pressed + ended_early(result);
