@@ -6,7 +6,6 @@ include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(HYPRE REQUIRED_VARS HYPRE_LIBRARY HYPRE_INCLUDE_DIR)
 
 if(HYPRE_FOUND AND NOT TARGET HYPRE::HYPRE)
-  find_package(MPI REQUIRED COMPONENTS C)
   add_library(HYPRE::HYPRE UNKNOWN IMPORTED)
   set_target_properties(HYPRE::HYPRE PROPERTIES
     IMPORTED_LOCATION ${HYPRE_LIBRARY}

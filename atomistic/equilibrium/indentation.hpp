@@ -27,9 +27,9 @@ struct PathCallbacks {
 Sheet make_sheet(const Problem& problem);
 
 /// Follows the levels. `finished` holds the levels that an earlier run has already reached, in order; the
-/// path goes on after them. With more than one MPI rank every rank calls this; only rank 0 calls back and
-/// gets the report. Throws std::invalid_argument for a problem that makes no sense; not converging ends the
-/// path, with a reason.
+/// path goes on after them. With more than one MPI rank every rank calls this, with the same finished levels; only rank
+/// 0 calls back and gets the report. Throws std::invalid_argument for a problem that makes no sense; not converging
+/// ends the path, with a reason.
 Report follow_path(const Problem& problem, const std::string& log_file, const std::vector<Step>& finished,
                    const PathCallbacks& callbacks, const MpiSession& session);
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "atomistic/team.hpp"
 
 namespace atomistic {
 
@@ -20,6 +23,10 @@ struct Minimisation {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> precondition;  ///< P⁻¹ r
   Eigen::VectorXd constraint;                                           ///< c; empty: none
   Eigen::VectorXd constraint_response;  ///< P⁻¹c where it is known; empty: to be solved
+  const Team* team = &alone;            ///< that the vectors are spread over; each rank has its part of all of them
+
+  double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return team->sum(a.dot(b)); }
+  double norm(const Eigen::VectorXd& a) const { return std::sqrt(team->sum(a.squaredNorm())); }
 };
 
 struct MinimiserOptions {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "atomistic/equilibrium/spring_network.hpp"
+#include "atomistic/lattice/sheet_part.hpp"
 #include "atomistic/loads/load_term.hpp"
 
 namespace atomistic {
@@ -26,5 +27,10 @@ class NetworkSolver {
 /// `kind` is not automatic. The sheet must outlive it.
 std::unique_ptr<NetworkSolver> make_network_solver(Preconditioning kind, const Sheet& sheet,
                                                    const SpringConstants& constants);
+
+/// One cycle over all ranks, each of which has its part. `number`: of the part's free atoms, own ones and ghosts, in
+/// the matrix of all. The part must outlive it.
+std::unique_ptr<NetworkSolver> make_shared_solver(const SheetPart& part, const SpringConstants& constants,
+                                                  std::vector<int> number);
 
 }  // namespace atomistic

@@ -28,13 +28,13 @@ class Newton {
     double& radius = report_.trust_radius = options_.trust_radius;
     for (;;) {
       const VectorXd residual = precondition_.without_load(now_.gradient);
-      report_.max_force = largest_atom_norm(residual);
+      report_.max_force = largest_atom_norm(residual, *problem_.team);
       const bool go_on = !on_iteration || on_iteration(report_.evaluations, report_.max_force);
       if (report_.max_force <= options_.force_tolerance) return finish(true, "converged");
       if (!go_on) return finish(false, "given up by the caller");
       if (report_.evaluations >= options_.max_evaluations) return finish(false, "too many force evaluations");
       const VectorXd direction = precondition_(residual);
-      const double norm = std::sqrt(std::max(residual.dot(direction), 0.0));
+      const double norm = std::sqrt(std::max(problem_.dot(residual, direction), 0.0));
       if (radius == 0) radius = norm;
       if (radius < smallest_region * norm) return finish(false, "the trust region has shrunk to nothing");
       const Step step = conjugate_gradients(x, residual, direction, norm, radius);
@@ -72,7 +72,7 @@ class Newton {
   }
 
   VectorXd product(const VectorXd& x, const VectorXd& v) {
-    const double h = difference_A / largest_atom_norm(v);
+    const double h = difference_A / largest_atom_norm(v, *problem_.team);
     return (evaluate(x + h * v).gradient - now_.gradient) / h;
   }
 
@@ -85,13 +85,13 @@ class Newton {
     double rz = norm * norm, ss = 0, sp = 0, pp = rz;  // in the metric: sᵀPs, sᵀPp, pᵀPp
     for (int products = 0; products < most_products && report_.evaluations < options_.max_evaluations; ++products) {
       const VectorXd Hp = product(x, p);
-      const double curvature = p.dot(Hp);
+      const double curvature = problem_.dot(p, Hp);
       const double alpha = curvature > 0 ? rz / curvature : 0;
       const double longer = ss + 2 * alpha * sp + alpha * alpha * pp;
       if (!(curvature > 0) || longer >= radius * radius) {
         const double to_boundary = (-sp + std::sqrt(sp * sp + pp * (radius * radius - ss))) / pp;
         step.s += to_boundary * p;
-        step.model += to_boundary * r.dot(p) + 0.5 * to_boundary * to_boundary * curvature;
+        step.model += to_boundary * problem_.dot(r, p) + 0.5 * to_boundary * to_boundary * curvature;
         step.on_boundary = true;
         ss = radius * radius;
         break;
@@ -101,8 +101,8 @@ class Newton {
       r += alpha * Hp;
       const VectorXd z = precondition_(r);
       ss = longer;
-      const double beta = r.dot(z) / rz;
-      rz = r.dot(z);
+      const double beta = problem_.dot(r, z) / rz;
+      rz = problem_.dot(r, z);
       if (!(std::sqrt(std::max(rz, 0.0)) > left_over * norm)) break;
       sp = beta * (sp + alpha * pp);
       pp = rz + beta * beta * pp;
@@ -117,7 +117,7 @@ class Newton {
     report_.converged = converged;
     report_.reason = std::move(reason);
     report_.multiplier = precondition_.multiplier(now_.gradient);
-    report_.energy_residual = now_.gradient.dot(precondition_(now_.gradient));
+    report_.energy_residual = problem_.dot(now_.gradient, precondition_(now_.gradient));
     report_.last = std::move(now_);
     return report_;
   }

@@ -47,29 +47,58 @@ Preconditioning kind_for(const Problem& problem, const Sheet& sheet) {
   return preconditioning_for(problem.preconditioning, sheet.free_atoms);
 }
 
-double mean_depth(const std::vector<int>& atoms, const VectorXd& x) {
-  double sum = 0;
-  for (int atom : atoms) sum -= x[3 * atom + 2];
-  return sum / static_cast<double>(atoms.size());
-}
-
 }  // namespace
 
 Path::Path(const Problem& problem, const Sheet& sheet, ForceField& forces, const PathCallbacks& callbacks)
+    : Path(problem, sheet, nullptr, Preconditioner(kind_for(problem, sheet), sheet, spring_constants(problem.card)),
+           forces, callbacks) {}
+
+Path::Path(const Problem& problem, const SharedSheet& sheet, ForceField& forces, const PathCallbacks& callbacks)
+    : Path(problem, sheet.part(), &sheet,
+           Preconditioner(sheet.part(), sheet.solver(spring_constants(problem.card)), sheet.team()), forces,
+           callbacks) {}
+
+Path::Path(const Problem& problem, const Sheet& sheet, const SharedSheet* shared, Preconditioner preconditioner,
+           ForceField& forces, const PathCallbacks& callbacks)
     : problem_(problem),
       sheet_(sheet),
+      shared_(shared),
       force_field_(forces),
       callbacks_(callbacks),
-      load_(make_load(problem, sheet)),
+      load_(make_load(problem, sheet, team())),
       rim_pull_(rim_pull(sheet, problem.rim_tension_eV_per_A2)),
-      preconditioner_(kind_for(problem, sheet), sheet, spring_constants(problem.card)),
+      preconditioner_(std::move(preconditioner)),
       reference_(sheet.positions),
       positions_(sheet.positions),
       break_(problem.potential.artefact_bond_A, controls_depth(problem)) {
   if (!sheet.built_in_equilibrium()) relax_flat_sheet();
   VectorXd unused = VectorXd::Zero(free_dofs());
-  flat_energy_ = force_field_.evaluate(reference_, atom_forces_, true) + pull(reference_.head(free_dofs()), unused);
+  flat_energy_ = evaluate(reference_, true) + pull(reference_.head(free_dofs()), unused);
 }
+
+double Path::evaluate(const VectorXd& positions, bool fresh) {
+  if (!shared_) return force_field_.evaluate(positions, atom_forces_, fresh);
+  return force_field_.evaluate_own(positions.head(free_dofs()), atom_forces_, fresh);
+}
+
+/// What others have moved, where this rank looks at their atoms.
+void Path::refresh() {
+  if (shared_) shared_->refresh(positions_);
+}
+
+void Path::tell(const Step& step) const {
+  if (!shared_) return callbacks_.on_step(step);
+  const Step whole = shared_->whole_step(step);
+  if (callbacks_.on_step) callbacks_.on_step(whole);
+}
+
+double Path::mean_record_depth(const VectorXd& x) const {
+  double sum = 0;
+  for (int atom : sheet_.record) sum -= x[3 * atom + 2];
+  return team().sum(sum) / team().sum(static_cast<double>(sheet_.record.size()));
+}
+
+double Path::longest() const { return team().largest(longest_bond(sheet_, positions_)); }
 
 Report Path::follow(const std::vector<Step>& finished) {
   take_over(finished);
@@ -80,13 +109,13 @@ Report Path::follow(const std::vector<Step>& finished) {
     const Step step = run_level(number++, *target);
     remember(step);
     end_reached(step);
-    callbacks_.on_step(step);
+    tell(step);
   }
   report_.contact = check_contact();
   report_.force_calls = force_field_.timing().calls;
   report_.force_s = force_field_.timing().force_s;
   report_.setup_s += force_field_.timing().setup_s;
-  report_.preconditioning = kind_for(problem_, sheet_);
+  report_.preconditioning = shared_ ? Preconditioning::multigrid : kind_for(problem_, sheet_);
   report_.factor_s = preconditioner_.factor_s();
   report_.solve_s = preconditioner_.solve_s();
   return report_;
@@ -103,8 +132,7 @@ void Path::relax_flat_sheet() {
   const Minimisation problem{.evaluate =
                                  [&](const VectorXd& x) {
                                    positions_.head(free_dofs()) = x;
-                                   const double energy =
-                                       force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
+                                   const double energy = evaluate(positions_, std::exchange(fresh_, false));
                                    Evaluation e{energy, -atom_forces_.head(free_dofs())};
                                    e.energy += pull(x, e.gradient);
                                    e.gradient = flat(e.gradient);
@@ -146,12 +174,12 @@ std::optional<Path::Target> Path::next_target() {
 void Path::take_over(const std::vector<Step>& finished) {
   double factorised_level = 0;
   for (const Step& step : finished) {
-    remember(step);
+    remember(shared_ ? shared_->part_of_step(step) : step);
     if (step.factorisations > 0) factorised_level = step.target;
   }
   if (finished.empty()) return;
   load_->set_level(factorised_level);
-  factorise(finished.back().factorised_at);
+  factorise(shared_ ? shared_->part_of_step(finished.back()).factorised_at : finished.back().factorised_at);
 }
 
 /// What the next levels use: the state, and how well the factor has served.
@@ -198,6 +226,7 @@ void Path::predict(int number, double level) {
   load_->admit(x);
   positions_.head(free_dofs()) = x;
   const double ratio = t / factor_parameter_;
+  refresh();
   if (factor_is_tired_ || ratio > depth_ratio_per_factor || ratio * depth_ratio_per_factor < 1) factorise(positions_);
   meet_constraint(level);
 }
@@ -210,7 +239,7 @@ void Path::meet_constraint(double level) {
   if (c.size() == 0) return;
   const VectorXd& response = preconditioner_.constraint_response(c);
   const double missing = level - load_->conjugate_depth(free_positions());
-  positions_.head(free_dofs()) -= response * (missing / c.dot(response));
+  positions_.head(free_dofs()) -= response * (missing / dot(c, response));
 }
 
 /// Sliding atoms keep their z: no displacement, no gradient.
@@ -230,7 +259,7 @@ Minimisation Path::minimisation() {
               [this](const VectorXd& x) {
                 positions_.head(free_dofs()) = x;
                 Evaluation e;
-                e.energy = force_field_.evaluate(positions_, atom_forces_, std::exchange(fresh_, false));
+                e.energy = evaluate(positions_, std::exchange(fresh_, false));
                 e.gradient = -atom_forces_.head(free_dofs());
                 e.energy += pull(x, e.gradient) + load_->add(x, e.gradient);
                 hold_what_slides(e.gradient);
@@ -238,19 +267,20 @@ Minimisation Path::minimisation() {
               },
           .precondition = [this](const VectorXd& r) { return preconditioner_.solve(r); },
           .constraint = load_->constraint(),
-          .constraint_response = {}};
+          .constraint_response = {},
+          .team = &team()};
 }
 
 bool Path::torn() const {
-  const double lowest = positions_.reshaped(3, sheet_.atoms()).row(2).minCoeff();
-  return longest_bond(sheet_, positions_) > torn_bond_A || lowest < -torn_depth_of_radius * sheet_.radius_A;
+  const double lowest = team().least(positions_.reshaped(3, sheet_.atoms()).row(2).minCoeff());
+  return longest() > torn_bond_A || lowest < -torn_depth_of_radius * sheet_.radius_A;
 }
 
 /// A bond that is lost on the way does not come back where a search starts, close to its end, nor where a level drags
 /// on.
 bool Path::has_broken(const Target& target, int evaluations) const {
   const bool hopeless = evaluations >= (target.search ? evaluations_before_lost : evaluations_before_newton);
-  return hopeless && !target.unloading && break_.lost(target.level, longest_bond(sheet_, positions_));
+  return hopeless && !target.unloading && break_.lost(target.level, longest());
 }
 
 /// Minimises; a level that drags on gets fresh factors at its current positions.
@@ -264,6 +294,7 @@ MinimiserReport Path::minimise_level(int number, const Target& target) {
     options.max_evaluations = std::min(evaluations_per_factor, problem_.max_evaluations - evaluations);
     VectorXd x = free_positions();
     const auto on_iteration = [&](int done, double max_force) {
+      refresh();
       if (callbacks_.on_progress) callbacks_.on_progress({number, evaluations + done, max_force});
       return !torn() && !has_broken(target, evaluations + done);
     };
@@ -274,6 +305,7 @@ MinimiserReport Path::minimise_level(int number, const Target& target) {
     evaluations += result.evaluations;
     options.trust_radius = result.trust_radius;
     positions_.head(free_dofs()) = x;
+    refresh();
     if (result.converged || evaluations >= problem_.max_evaluations || torn() || has_broken(target, evaluations)) break;
     factorise(positions_);
   }
@@ -300,13 +332,13 @@ Step Path::run_level(int number, const Target& target) {
   step.factorised_at = factorised_at_;
   if (problem_.virials) step.virials = force_field_.virials(positions_);
   step.conjugate_depth_A = load_->conjugate_depth(x);
-  step.depth_A = mean_depth(sheet_.record, x);
+  step.depth_A = mean_record_depth(x);
   step.force_eV_per_A = load_->force(x, result.multiplier);
   step.energy_eV = result.last.energy - load_->dead_work(x) - flat_energy_;
   step.max_force_eV_per_A = result.max_force;
   step.balance_relative = balance(result.multiplier);
   step.force_error_relative = std::abs(result.energy_residual / (step.force_eV_per_A * step.conjugate_depth_A));
-  step.longest_bond_A = longest_bond(sheet_, positions_);
+  step.longest_bond_A = longest();
   step.broken = !step.unloading && break_.broken(step);
   step.evaluations = result.evaluations;
   step.factorisations = factorisations_;
@@ -327,7 +359,8 @@ double Path::balance(double multiplier) {
     carried += atom_forces_[3 * i + 2];
     put_on += load[3 * i + 2];
   }
-  return std::abs((carried - put_on) / put_on);
+  put_on = team().sum(put_on);
+  return std::abs((team().sum(carried) - put_on) / put_on);
 }
 
 /// Rupture and artefact come first: a minimisation that fails among them is no failure of the path.
@@ -361,12 +394,13 @@ std::optional<ContactCheck> Path::check_contact() {
   VectorXd x = before;
   sphere->admit(x);
   positions_.head(free_dofs()) = x;
+  refresh();
   factorise(positions_);
   fresh_ = true;
   const MinimiserReport result = minimise_level(static_cast<int>(problem_.levels.size()), {});
   if (!result.converged) return std::nullopt;
   check.force_change_relative = sphere->force(free_positions(), 0) / force - 1;
-  check.depth_change_A = mean_depth(sheet_.record, free_positions()) - mean_depth(sheet_.record, before);
+  check.depth_change_A = mean_record_depth(free_positions()) - mean_record_depth(before);
   const auto [depth, ignored] = curve_.back();
   const auto [earlier_depth, earlier_force] =
       curve_.size() > 1 ? curve_[curve_.size() - 2] : std::pair(depth / 2, force / 8);

@@ -1,4 +1,5 @@
-// The path on rank 0: level after level, each predicted from the states before it and minimised.
+// The path, on rank 0 or on every rank with its part of the sheet: level after level, each predicted from the states
+// before it and minimised.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,6 +12,7 @@
 #include "atomistic/equilibrium/minimiser.hpp"
 #include "atomistic/equilibrium/preconditioner.hpp"
 #include "atomistic/equilibrium/predictor.hpp"
+#include "atomistic/equilibrium/shared_sheet.hpp"
 #include "atomistic/loads/load_term.hpp"
 
 namespace atomistic {
@@ -21,8 +23,13 @@ constexpr double torn_bond_A = 5.0, torn_depth_of_radius = 2.0;
 
 class Path {
  public:
+  /// Of a whole sheet, on rank 0.
   Path(const Problem& problem, const Sheet& sheet, ForceField& forces, const PathCallbacks& callbacks);
 
+  /// Of a shared one, on every rank; rank 0 calls back.
+  Path(const Problem& problem, const SharedSheet& sheet, ForceField& forces, const PathCallbacks& callbacks);
+
+  /// `finished`: steps of the whole sheet.
   Report follow(const std::vector<Step>& finished);
 
  private:
@@ -32,6 +39,17 @@ class Path {
     double level;
     bool unloading = false, search = false;
   };
+
+  Path(const Problem& problem, const Sheet& sheet, const SharedSheet* shared, Preconditioner preconditioner,
+       ForceField& forces, const PathCallbacks& callbacks);
+
+  const Team& team() const { return shared_ ? shared_->team() : alone; }
+  double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return team().sum(a.dot(b)); }
+  double mean_record_depth(const Eigen::VectorXd& x) const;
+  double longest() const;
+  double evaluate(const Eigen::VectorXd& positions, bool fresh);
+  void refresh();
+  void tell(const Step& step) const;
 
   int free_dofs() const { return 3 * sheet_.free_atoms; }
   Eigen::VectorXd free_positions() const { return positions_.head(free_dofs()); }
@@ -57,7 +75,8 @@ class Path {
   std::optional<ContactCheck> check_contact();
 
   const Problem& problem_;
-  const Sheet& sheet_;
+  const Sheet& sheet_;         ///< this rank's part of a shared one
+  const SharedSheet* shared_;  ///< nothing: the sheet is whole
   ForceField& force_field_;
   const PathCallbacks& callbacks_;
   std::unique_ptr<LoadTerm> load_;

@@ -33,7 +33,7 @@ void Preconditioner::factorise(const Eigen::VectorXd& positions, LoadTerm* load)
   if (response_.size() == 0) return;
   const Eigen::VectorXd k = response_;
   response_ = network_solve(k);
-  response_ /= std::sqrt(std::max(1 - k.dot(response_), 1e-6));
+  response_ /= std::sqrt(std::max(1 - team_->sum(k.dot(response_)), 1e-6));
 }
 
 Eigen::VectorXd Preconditioner::network_solve(const Eigen::VectorXd& r) const {
@@ -49,7 +49,7 @@ const Eigen::VectorXd& Preconditioner::constraint_response(const Eigen::VectorXd
 
 Eigen::VectorXd Preconditioner::solve(const Eigen::VectorXd& r) const {
   Eigen::VectorXd s = network_solve(r);
-  if (response_.size()) s += response_ * response_.dot(r);
+  if (response_.size()) s += response_ * team_->sum(response_.dot(r));
   return s;
 }
 

@@ -13,6 +13,10 @@ class Preconditioner {
   Preconditioner(Preconditioning kind, const Sheet& sheet, const SpringConstants& constants)
       : sheet_(sheet), network_(make_network_solver(kind, sheet, constants)) {}
 
+  /// Of this rank's part of a sheet, with the solver of all ranks.
+  Preconditioner(const Sheet& part, std::unique_ptr<NetworkSolver> solver, const Team& team)
+      : sheet_(part), network_(std::move(solver)), team_(&team) {}
+
   /// At the positions of all atoms; the load is at its level, or absent.
   void factorise(const Eigen::VectorXd& positions, LoadTerm* load);
 
@@ -33,6 +37,7 @@ class Preconditioner {
 
   const Sheet& sheet_;
   std::unique_ptr<NetworkSolver> network_;
+  const Team* team_ = &alone;
   Eigen::VectorXd response_;  ///< P⁻¹k / √(1 − kᵀP⁻¹k); empty: no k
   Eigen::VectorXd constraint_response_;
   double factor_s_ = 0;

@@ -16,7 +16,7 @@ class ProjectedPreconditioner {
     if (problem_.constraint.size() == 0) return;
     direction_ =
         problem_.constraint_response.size() ? problem_.constraint_response : problem_.precondition(problem_.constraint);
-    stiffness_ = problem_.constraint.dot(direction_);
+    stiffness_ = dot(problem_.constraint, direction_);
   }
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& g) const {
@@ -27,23 +27,27 @@ class ProjectedPreconditioner {
 
   /// Removes what leaves the subspace, along P⁻¹c.
   void project(Eigen::VectorXd& s) const {
-    if (direction_.size()) s -= direction_ * (problem_.constraint.dot(s) / stiffness_);
+    if (constrained()) s -= direction_ * (dot(problem_.constraint, s) / stiffness_);
   }
 
-  double multiplier(const Eigen::VectorXd& g) const { return direction_.size() ? direction_.dot(g) / stiffness_ : 0.0; }
+  double multiplier(const Eigen::VectorXd& g) const { return constrained() ? dot(direction_, g) / stiffness_ : 0.0; }
 
   Eigen::VectorXd without_load(const Eigen::VectorXd& g) const {
-    return direction_.size() ? Eigen::VectorXd(g - multiplier(g) * problem_.constraint) : g;
+    return constrained() ? Eigen::VectorXd(g - multiplier(g) * problem_.constraint) : g;
   }
 
  private:
+  double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return problem_.dot(a, b); }
+  bool constrained() const { return direction_.size() > 0; }
+
   const Minimisation& problem_;
   Eigen::VectorXd direction_;
   double stiffness_ = 0;
 };
 
-inline double largest_atom_norm(const Eigen::VectorXd& v) {
-  return v.size() ? Eigen::Map<const Eigen::Matrix3Xd>(v.data(), 3, v.size() / 3).colwise().norm().maxCoeff() : 0.0;
+inline double largest_atom_norm(const Eigen::VectorXd& v, const Team& team) {
+  return team.largest(
+      v.size() ? Eigen::Map<const Eigen::Matrix3Xd>(v.data(), 3, v.size() / 3).colwise().norm().maxCoeff() : 0.0);
 }
 
 /// The energy is a sum over thousands of atoms: differences below this are rounding (AIREBO: some 1e-12 of

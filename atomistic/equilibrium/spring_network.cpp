@@ -35,8 +35,8 @@ struct SpringNetwork::Element {
   int size;
 };
 
-SpringNetwork::SpringNetwork(const Sheet& sheet, const SpringConstants& constants, Blocks blocks)
-    : sheet_(sheet), constants_(constants), blocks_(blocks) {
+SpringNetwork::SpringNetwork(const Sheet& sheet, const SpringConstants& constants, Blocks blocks, int ghosts)
+    : sheet_(sheet), constants_(constants), blocks_(blocks), rows_end_(sheet.free_atoms + ghosts) {
   build_pattern();
 }
 
@@ -55,7 +55,7 @@ void SpringNetwork::build_pattern() {
     std::sort(coupled.begin(), coupled.end());
     coupled.erase(std::unique(coupled.begin(), coupled.end()), coupled.end());
     for (int i : coupled)
-      if (i >= (blocks_ == Blocks::lower ? j : 0) && i < free) rows_.push_back(i);
+      if (i >= (blocks_ == Blocks::lower ? j : 0) && i < rows_end_) rows_.push_back(i);
     start_.push_back(static_cast<long>(rows_.size()));
   }
 }
@@ -83,7 +83,7 @@ void SpringNetwork::add_identity(double* values) const {
 }
 
 void SpringNetwork::add_block(int i, int j, Matrix3d block, double* values) const {
-  if (j >= sheet_.free_atoms || i >= sheet_.free_atoms || (blocks_ == Blocks::lower && i < j)) return;
+  if (j >= sheet_.free_atoms || i >= rows_end_ || (blocks_ == Blocks::lower && i < j)) return;
   if (slides(i)) block.row(2).setZero();
   if (slides(j)) block.col(2).setZero();
   const auto begin = rows_.begin() + start_[j], end = rows_.begin() + start_[j + 1];
@@ -122,7 +122,7 @@ void SpringNetwork::add_angles(const Eigen::VectorXd& positions, double* values)
     for (int p = 0; p < 3; ++p) {
       const int j = sheet_.neighbours[i][p], k = sheet_.neighbours[i][(p + 1) % 3];
       if (j < 0 || k < 0) continue;
-      if (std::min({i, j, k}) >= sheet_.free_atoms) continue;
+      if (std::min({i, j, k}) >= rows_end_) continue;
       const Vector3d a = positions.segment<3>(3 * j) - positions.segment<3>(3 * i);
       const Vector3d b = positions.segment<3>(3 * k) - positions.segment<3>(3 * i);
       const Vector3d at_j = -(b - a * (a.dot(b) / a.squaredNorm())).normalized() / a.norm();

@@ -39,7 +39,8 @@ enum class Blocks { lower, all };
 /// column of scalars, three for each block. Where all blocks are stored that is row by row just as well.
 class SpringNetwork {
  public:
-  SpringNetwork(const Sheet& sheet, const SpringConstants& constants, Blocks blocks);
+  /// `ghosts`: free atoms after the sheet's own ones that have rows, but no columns here (see SheetPart).
+  SpringNetwork(const Sheet& sheet, const SpringConstants& constants, Blocks blocks, int ghosts = 0);
 
   /// Block rows of each block column, one column after another, ascending; starts() has where they begin and the end.
   const std::vector<int>& rows() const { return rows_; }
@@ -64,6 +65,7 @@ class SpringNetwork {
   const Sheet& sheet_;
   SpringConstants constants_;
   Blocks blocks_;
+  int rows_end_;  ///< free atoms, ghosts included
   std::vector<int> rows_;
   std::vector<long> start_;
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <library.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +13,9 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "atomistic/lammps/atoms_here.hpp"
+#include "atomistic/ranks/mpi_team.hpp"
 
 namespace atomistic {
 namespace {
@@ -103,6 +107,7 @@ struct ForceField::Instance {
   int atoms = 0;
   Box box;
   bool cell_changed = true;  ///< also true before the first run
+  bool shared = false;       ///< every rank evaluates, none serves
   ForceTiming timing;
   Eigen::VectorXd local;  ///< this rank's share of the forces, in creation order
 
@@ -193,6 +198,20 @@ struct ForceField::Instance {
     command("uncompute virial");
   }
 
+  AtomsHere atoms_here() const { return {lammps, rank}; }
+
+  double compute_own(const Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
+    const double start = seconds();
+    atoms_here().put(positions);
+    command(fresh ? "run 0 post no" : "run 1 pre no post no");
+    forces.resize(positions.size());
+    atoms_here().collect(forces);
+    const double energy = lammps_get_thermo(lammps, "pe");
+    ++timing.calls;
+    (fresh ? timing.setup_s : timing.force_s) += seconds() - start;
+    return energy;
+  }
+
   /// The part that all ranks do together.
   double compute(Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
     const double start = seconds();
@@ -242,7 +261,7 @@ ForceField::ForceField(const Potential& potential, const Box& box, const Eigen::
 
 ForceField::~ForceField() {
   if (!instance_->lammps) return;
-  if (instance_->rank == 0) {
+  if (instance_->rank == 0 && !instance_->shared) {
     Order order = Order::stop;
     MPI_Bcast(&order, 1, MPI_INT, 0, instance_->communicator);
   }
@@ -259,6 +278,33 @@ double ForceField::evaluate(const Eigen::VectorXd& positions, Eigen::VectorXd& f
   if (!std::isfinite(energy) || !forces.allFinite())
     throw std::runtime_error("LAMMPS returned an energy or a force that is not finite");
   return energy;
+}
+
+std::vector<int> ForceField::atoms_here() const {
+  std::vector<int> atoms = instance_->atoms_here().numbers();
+  std::ranges::sort(atoms);
+  return atoms;
+}
+
+void ForceField::share_out(const std::vector<int>& own) {
+  instance_->atoms_here().belong_to(own);
+  instance_->shared = true;
+}
+
+double ForceField::evaluate_own(const Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh) {
+  if (!positions.allFinite()) throw std::runtime_error("positions are not finite; LAMMPS was not asked");
+  fresh = std::exchange(instance_->cell_changed, false) || fresh;
+  const double energy = instance_->compute_own(positions, forces, fresh);
+  if (!std::isfinite(energy) || !forces.allFinite())
+    throw std::runtime_error("LAMMPS returned an energy or a force that is not finite");
+  return energy;
+}
+
+Eigen::VectorXd ForceField::gather_forces() const {
+  const AtomsHere here = instance_->atoms_here();
+  Eigen::VectorXd whole(instance_->rank == 0 ? 3 * static_cast<Eigen::Index>(instance_->atoms) : 0);
+  MpiTeam().gather(here.forces(), here.numbers(), whole);
+  return whole;
 }
 
 Eigen::VectorXd ForceField::virials(const Eigen::VectorXd& positions) {

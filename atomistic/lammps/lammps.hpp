@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "atomistic/problem.hpp"
 
@@ -70,6 +71,18 @@ class ForceField {
   /// Their sum is the stress times the volume; how it is shared out among the atoms of a bond or an angle is LAMMPS's
   /// convention (`compute stress/atom`), which an average over some ten atoms no longer shows.
   Eigen::VectorXd virials(const Eigen::VectorXd& positions);
+
+  /// The atoms, counted from 0, that LAMMPS has on this rank now: ascending.
+  std::vector<int> atoms_here() const;
+
+  /// Shares the atoms out: from here on `own` are this rank's (those that move, ascending), and every rank calls
+  /// evaluate_own() instead of rank 0 evaluate() and the others serve(). Where LAMMPS has meanwhile passed an atom on
+  /// to another rank, its position and force travel between the two.
+  void share_out(const std::vector<int>& own);
+  double evaluate_own(const Eigen::VectorXd& positions, Eigen::VectorXd& forces, bool fresh);
+
+  /// The forces of the last evaluation, of all atoms, on rank 0.
+  Eigen::VectorXd gather_forces() const;
 
   /// Answers rank 0's evaluations; returns when rank 0 has destroyed its object.
   void serve();

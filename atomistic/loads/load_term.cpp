@@ -28,14 +28,15 @@ struct LoadedAtoms {
 struct MakeLoad {
   const Problem& problem;
   const Sheet& sheet;
+  const Team& team;
   using Made = std::unique_ptr<LoadTerm>;
   Made operator()(const PointLoad& load) const {
-    return std::make_unique<PatternLoad>(LoadedAtoms{sheet}(load), problem, sheet);
+    return std::make_unique<PatternLoad>(LoadedAtoms{sheet}(load), problem, sheet, team);
   }
   Made operator()(const DiscLoad& load) const {
-    return std::make_unique<PatternLoad>(LoadedAtoms{sheet}(load), problem, sheet);
+    return std::make_unique<PatternLoad>(LoadedAtoms{sheet}(load), problem, sheet, team);
   }
-  Made operator()(const SphereLoad& load) const { return std::make_unique<SphereTerm>(load, problem, sheet); }
+  Made operator()(const SphereLoad& load) const { return std::make_unique<SphereTerm>(load, problem, sheet, team); }
   Made operator()(const PressureLoad& load) const { return std::make_unique<PressureTerm>(load, problem, sheet); }
 };
 
@@ -43,8 +44,8 @@ struct MakeLoad {
 
 std::vector<int> loaded_atoms(const Load& load, const Sheet& sheet) { return std::visit(LoadedAtoms{sheet}, load); }
 
-std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet) {
-  return std::visit(MakeLoad{problem, sheet}, problem.load);
+std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet, const Team& team) {
+  return std::visit(MakeLoad{problem, sheet, team}, problem.load);
 }
 
 Eigen::VectorXd schwerin_shape(const Sheet& sheet, double depth_A, double core_radius_A) {

@@ -8,6 +8,7 @@
 
 #include "atomistic/lattice/sheet.hpp"
 #include "atomistic/problem.hpp"
+#include "atomistic/team.hpp"
 
 namespace atomistic {
 
@@ -56,8 +57,9 @@ class LoadTerm {
 };
 
 /// The load of a problem on its sheet, both of which must outlive it. Throws std::invalid_argument for a load
-/// that the sheet cannot take.
-std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet);
+/// that the sheet cannot take. With a team the sheet is this rank's part, positions are those of its own atoms, and
+/// every rank asks for the same in the same order; for a pressure there is no team.
+std::unique_ptr<LoadTerm> make_load(const Problem& problem, const Sheet& sheet, const Team& team = alone);
 
 /// The atoms that carry a load in the flat sheet: all free ones for a pressure, those below the tip for a
 /// sphere.

@@ -9,8 +9,8 @@ namespace atomistic {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-SphereTerm::SphereTerm(const SphereLoad& sphere, const Problem& problem, const Sheet& sheet)
-    : sphere_(sphere), problem_(problem), sheet_(sheet) {
+SphereTerm::SphereTerm(const SphereLoad& sphere, const Problem& problem, const Sheet& sheet, const Team& team)
+    : sphere_(sphere), problem_(problem), sheet_(sheet), team_(team) {
   if (!(sphere.radius_A > 0 && sphere.radius_A < sheet.radius_A && sphere.stiffness_eV_per_A3 > 0))
     throw std::invalid_argument("sphere: its radius must be positive and below the sheet's, its stiffness positive");
   // Atoms come nearer to the axis as the sheet stretches: a wide margin costs nothing.
@@ -39,6 +39,8 @@ SphereTerm::Contact SphereTerm::contact_at(const VectorXd& x, double travel) con
         2 * k * inside * n.z() * n.z() - k * inside * inside * (1 - n.z() * n.z()) / (sphere_.radius_A - inside);
     sum.deepest = std::max(sum.deepest, inside);
   });
+  for (double* part : {&sum.energy, &sum.force, &sum.stiffness}) *part = team_.sum(*part);
+  sum.deepest = team_.largest(sum.deepest);
   return sum;
 }
 
@@ -51,6 +53,7 @@ double SphereTerm::travel(const VectorXd& x) const {
     const double across = p.head<2>().squaredNorm(), r = sphere_.radius_A;
     if (across < r * r) low = std::min(low, r - std::sqrt(r * r - across) - p.z());
   }
+  low = team_.least(low);
   double high = low;
   for (double more = 0.01; contact_at(x, high).force < level_; more *= 2) high = low + more;
   double d = high;
@@ -110,6 +113,7 @@ VectorXd SphereTerm::given_back(const VectorXd& x) {
     k.segment<3>(3 * atom) = stiffness * n.z() * n;
     total += stiffness * n.z() * n.z();
   });
+  total = team_.sum(total);
   return total > 0 ? VectorXd(k / std::sqrt(total)) : VectorXd();
 }
 

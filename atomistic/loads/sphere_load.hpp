@@ -14,7 +14,7 @@ namespace atomistic {
 class SphereTerm : public LoadTerm {
  public:
   /// Throws std::invalid_argument if the sphere is as wide as the sheet or its numbers are not positive.
-  SphereTerm(const SphereLoad& sphere, const Problem& problem, const Sheet& sheet);
+  SphereTerm(const SphereLoad& sphere, const Problem& problem, const Sheet& sheet, const Team& team = alone);
 
   void set_level(double level) override { level_ = level; }
   void set_stiffness(double eV_per_A3) { sphere_.stiffness_eV_per_A3 = eV_per_A3; }
@@ -47,6 +47,7 @@ class SphereTerm : public LoadTerm {
   SphereLoad sphere_;
   const Problem& problem_;
   const Sheet& sheet_;
+  const Team& team_;
   std::vector<int> candidates_;  ///< atoms that the sphere may meet
   double level_ = 0;
 };

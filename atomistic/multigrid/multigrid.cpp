@@ -19,6 +19,12 @@ namespace {
 constexpr HYPRE_Int hmis = 10, extended_i = 6, chebyshev = 16, w_cycle = 2;
 constexpr HYPRE_Int interpolated_from = 4;  // entries of a row of the interpolation at most
 
+// A W-cycle comes to each coarser grid twice as often, and each time costs messages: below this size a grid is not
+// worth them, every rank has all of it.
+constexpr HYPRE_Int solved_directly = 300;
+constexpr HYPRE_Int factorised = 99,
+                    coarsest = 3;  // LAPACK's factor, made once; hypre's own elimination (9) makes it anew
+
 /// hypre counts its errors in a global number.
 void check(const char* doing) {
   const HYPRE_Int error = HYPRE_GetError();
@@ -39,6 +45,8 @@ HYPRE_Solver one_cycle() {
   HYPRE_BoomerAMGSetPMaxElmts(solver, interpolated_from);
   HYPRE_BoomerAMGSetRelaxType(solver, chebyshev);
   HYPRE_BoomerAMGSetCycleType(solver, w_cycle);
+  HYPRE_BoomerAMGSetMaxCoarseSize(solver, solved_directly);
+  HYPRE_BoomerAMGSetCycleRelaxType(solver, factorised, coarsest);
   HYPRE_BoomerAMGSetTol(solver, 0);
   HYPRE_BoomerAMGSetMaxIter(solver, 1);
   return solver;
@@ -57,7 +65,7 @@ void fill(HYPRE_IJMatrix matrix, const BlockRows& rows, HYPRE_BigInt first) {
         numbers.push_back(first + 3 * i + r);
         counts.push_back(static_cast<HYPRE_Int>(3 * (rows.start[i + 1] - rows.start[i])));
         for (long b = rows.start[i]; b < rows.start[i + 1]; ++b)
-          for (int c = 0; c < 3; ++c) columns.push_back(3 * rows.column[b] + c);
+          for (int c = 0; c < 3; ++c) columns.push_back(3 * rows.number_of(rows.column[b]) + c);
       }
     HYPRE_IJMatrixSetValues(matrix, static_cast<HYPRE_Int>(numbers.size()), counts.data(), numbers.data(),
                             columns.data(), rows.values.data() + 9 * rows.start[begin]);
@@ -121,7 +129,7 @@ struct Multigrid::Hierarchy {
     std::vector<HYPRE_Int> here, beyond;
     for (int i = 0; i < given.rows(); ++i) {
       const auto own = std::count_if(given.column.begin() + given.start[i], given.column.begin() + given.start[i + 1],
-                                     [&](int c) { return 3 * c >= first && 3 * c <= last; });
+                                     [&](int c) { return c < given.rows(); });
       const auto all = given.start[i + 1] - given.start[i];
       here.insert(here.end(), 3, static_cast<HYPRE_Int>(3 * own));
       beyond.insert(beyond.end(), 3, static_cast<HYPRE_Int>(3 * (all - own)));

@@ -8,14 +8,16 @@
 namespace atomistic {
 
 /// The rows of this rank, whole (both triangles). Block row i has the blocks start[i] … start[i + 1] − 1, in the block
-/// columns `column`, counted over all ranks. Scalars lie row by row: of row 3i + r, three for each block, from
-/// 9 start[i] + 3 r (start[i + 1] − start[i]) on.
+/// columns `column`: the first rows() of them are this rank's own, the others what it knows of others. Scalars lie row
+/// by row: of row 3i + r, three for each block, from 9 start[i] + 3 r (start[i + 1] − start[i]) on.
 struct BlockRows {
   std::span<const long> start;
   std::span<const int> column;
   std::span<const double> values;
+  std::span<const int> number;  ///< of each block column, counted over all ranks, rank by rank; empty: its own
 
   int rows() const { return static_cast<int>(start.size()) - 1; }
+  int number_of(int block_column) const { return number.empty() ? block_column : number[block_column]; }
 };
 
 enum class Ranks { this_one, all };

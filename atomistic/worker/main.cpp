@@ -93,7 +93,7 @@ struct Worker {
                                       [](const Progress& p) {
                                         tell(ProgressEvent{p.level, p.evaluations, p.max_force_eV_per_A});
                                       }};
-    const auto finished = session.rank() == 0 ? read_finished_steps(job.steps_folder) : std::vector<Step>{};
+    const auto finished = read_finished_steps(job.steps_folder);
     const Report report = follow_path(job.problem, log_file, finished, callbacks, session);
     if (session.rank() == 0) tell(EndEvent{report});
   }

@@ -2,7 +2,9 @@
 // exponents with which they grow with the number of atoms. Radii in ascending order: the peak memory is the process's.
 //
 //   atomistic_scale [POTENTIAL] [RADIUS_A[,…]] [factor|multigrid] [LOAD]
-//                                                    1000 Å takes some 11 GB and minutes with the factor
+//                                                    1000 Å takes some 12 GB and minutes with the factor
+//
+// Under mpiexec memory and user seconds are those of all ranks together.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -10,6 +12,7 @@
 #include <cstdio>
 #include <string>
 
+#include "atomistic/ranks/mpi_team.hpp"
 #include "tests/benchmark/atomistic/support.hpp"
 
 namespace {
@@ -38,12 +41,10 @@ Row measure(const Asked& asked, double radius, const atomistic::MpiSession& sess
   const Path path = follow(problem, session);
   getrusage(RUSAGE_SELF, &after);
   const atomistic::Report& r = path.report;
-  const Row row{static_cast<double>(path.atoms),
-                r.force_s + r.setup_s,
-                r.factor_s,
-                r.solve_s,
-                user_s(after) - user_s(before),
-                static_cast<double>(after.ru_maxrss) / 1e6};
+  const atomistic::MpiTeam team;
+  const double user = team.sum(user_s(after) - user_s(before)), memory = team.sum(static_cast<double>(after.ru_maxrss));
+  if (team.rank() != 0) return {};
+  const Row row{static_cast<double>(path.atoms), r.force_s + r.setup_s, r.factor_s, r.solve_s, user, memory / 1e6};
   const atomistic::Step& step = path.steps.front();
   fmt::print(
       "{:10} {:6.0f} {:9} {:6} {:9} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:9.1f} {:8.2f}   max|f| {:.1e}, F {:.9f}, error "
@@ -64,10 +65,12 @@ int main(int argc, char** argv) {
       word(1, "tersoff"), word(4, "disc"),
       word(3, "factor") == "factor" ? atomistic::Preconditioning::factor : atomistic::Preconditioning::multigrid};
   std::vector<Row> rows;
-  fmt::print(
-      "potential   R (Å)     atoms evals. converged   force s  factor s   solve s    user s    wall s      GB\n");
+  if (session.rank() == 0)
+    fmt::print(
+        "potential   R (Å)     atoms evals. converged   force s  factor s   solve s    user s    wall s      GB\n");
   for (const std::string& radius : split(word(2, "30,110,300")))
     rows.push_back(measure(asked, std::stod(radius), session));
+  if (session.rank() != 0) return 0;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const double growth = std::log(rows[k].atoms / rows[k - 1].atoms);
     const auto exponent = [&](double Row::*member) {
