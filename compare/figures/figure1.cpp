@@ -46,6 +46,19 @@ PlotCurve curve_of(const std::string& name, const std::vector<double>& depth_A,
           .line = line};
 }
 
+/// Through the points as comparisons interpolate them.
+PlotCurve smooth_curve(const std::string& name, const std::vector<double>& depth_A,
+                       const std::vector<double>& force_eV_per_A, Colour colour, Line line) {
+  constexpr int pieces = 160;
+  const Curve curve(depth_A, force_eV_per_A);
+  std::vector<double> depth, force;
+  for (int i = 0; i <= pieces; ++i) {
+    depth.push_back(std::lerp(curve.lowest_A(), curve.highest_A(), static_cast<double>(i) / pieces));
+    force.push_back(curve.at(std::min(depth.back(), curve.highest_A())).value_or(NAN));
+  }
+  return curve_of(name, depth, force, colour, line);
+}
+
 PlotCurve eq16_band(double a) {
   PlotCurve band{.name = fmt::format("Eq. 16, E·h = {:g} ± {:g} N/m", lee::Eh_N_per_m, lee::Eh_spread_N_per_m),
                  .x = {},
@@ -139,14 +152,14 @@ Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
               .y = {.label = "force", .unit = "nN", .key = "force_nN", .low = 0},
               .legend = Legend::left_top};
   panel.curves.push_back(eq16_band(a));
-  panel.curves.push_back(curve_of("Eq. 16, averages", depths(a), eq16_forces(a), Colour::black, Line{.width = 1}));
+  panel.curves.push_back(smooth_curve("Eq. 16, averages", depths(a), eq16_forces(a), Colour::black, {.width = 1}));
   const double reference_nm[] = {103.37, 97.58};
   std::vector<double> converged;  // of the point load
   int index = 0;
   for (const Tip& tip : tips(a)) {
     context.progress.say(fmt::format("figure 1: {}, a = {:g} µm", tip.name, a / 1e4));
     const std::vector<double> force = membrane_forces({a, nu, tip.radius_A, 0, tip.sphere}, Eh, pretension, depths(a));
-    panel.curves.push_back(curve_of(tip.name, depths(a), force, tip.colour, tip.line));
+    panel.curves.push_back(smooth_curve(tip.name, depths(a), force, tip.colour, tip.line));
     if (a == lee::radius_A && index < 2)
       figure.numbers.push_back({fmt::format("a = 0.5 µm, {}: depth at 1500 nN", tip.name), "nm",
                                 "one-dimensional solver written separately", reference_nm[index],
@@ -170,11 +183,37 @@ Panel panel(double a, PaperFigure& figure, const FigureContext& context) {
     if (!curve.ended_early.empty())
       context.progress.say(fmt::format("figure 1: {} ends at {:.3g} nm: {}", other.name,
                                        curve.depth_A.empty() ? 0 : curve.depth_A.back() / nm, curve.ended_early));
-    panel.curves.push_back(curve_of(other.name, curve.depth_A, curve.force_eV_per_A, other.colour, other.line));
+    if (curve.depth_A.size() > 1)
+      panel.curves.push_back(smooth_curve(other.name, curve.depth_A, curve.force_eV_per_A, other.colour, other.line));
   }
   if (a == lee::radius_A)
     figure.numbers.push_back({"a = 0.5 µm, Eq. 16: depth at 1500 nN", "nm", "the formula itself", 102.64,
                               depth_at(depths(a), eq16_forces(a), 1500), 1e-3, ""});
+  return panel;
+}
+
+/// Every curve over Eq. 16 with the experiment's averages: nine of them lie within one band of forces.
+Panel residuals(double a, Panel& forces) {
+  Panel panel{.title = {},
+              .x = forces.x,
+              .y = {.label = "over Eq. 16", .unit = "%", .key = "difference_percent", .low = -40, .high = 60},
+              .legend = Legend::right_top,
+              .marks = {{.along = Along::y, .at = 0}}};
+  const auto difference = [a](double depth_nm, double force_nN) {
+    const double closed_form = nN_per_eV_per_A * Eq16{a, nu}.force(nm * depth_nm, Eh, pretension);
+    return 100 * (force_nN / closed_form - 1);
+  };
+  std::size_t named = 0;  // a legend of six above, of the others here
+  for (PlotCurve& curve : forces.curves) {
+    PlotCurve residual = curve;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      residual.y[i] = difference(curve.x[i], curve.y[i]);
+      if (!curve.y_high.empty()) residual.y_high[i] = difference(curve.x[i], curve.y_high[i]);
+    }
+    curve.in_legend = named < 6;
+    residual.in_legend = named++ >= 6;
+    panel.curves.push_back(std::move(residual));
+  }
   return panel;
 }
 
@@ -184,7 +223,13 @@ PaperFigure figure1(const FigureContext& context) {
   PaperFigure figure;
   figure.number = 1;
   figure.title = "suspended graphene, E·h = 342 N/m, pretension 0.34 N/m, nu = 0.165";
-  for (const double a : {lee::radius_A, lee::wide_radius_A}) figure.panels.push_back(panel(a, figure, context));
+  std::vector<Panel> below;
+  for (const double a : {lee::radius_A, lee::wide_radius_A}) {
+    figure.panels.push_back(panel(a, figure, context));
+    below.push_back(residuals(a, figure.panels.back()));
+  }
+  for (Panel& one : below) figure.panels.push_back(std::move(one));
+  figure.row_shares = {0.6, 0.4};
   return figure;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "compare/base/errors.hpp"
@@ -57,8 +58,8 @@ StudyOutcome study(const std::string& potential, const FigureContext& context) {
   return outcome;
 }
 
-PlotCurve curve_of(const Run& run, const std::string& name, Colour colour, std::optional<Line> line) {
-  PlotCurve curve{.name = name, .x = {}, .y = {}, .colour = colour, .line = line};
+PlotCurve curve_of(const Run& run, const std::string& name, Colour colour) {
+  PlotCurve curve{.name = name, .x = {}, .y = {}, .colour = colour};
   for (const std::size_t i : usable_points(run)) {
     curve.x.push_back(run.depth_A[i]);
     curve.y.push_back(run.force_eV_per_A[i]);
@@ -66,51 +67,81 @@ PlotCurve curve_of(const Run& run, const std::string& name, Colour colour, std::
   return curve;
 }
 
-void add_runs(Panel& point, Panel& disc, const Result& result, const std::string& potential, Colour colour,
-              bool first) {
+PlotCurve as_line(PlotCurve curve, Line line, bool in_legend = true) {
+  curve.line = line;
+  curve.in_legend = in_legend;
+  return curve;
+}
+
+/// A potential's atoms as markers of its own.
+PlotCurve as_points(PlotCurve curve, std::size_t potential) {
+  curve.points = Points{.marker = nth_marker(potential), .size = 0.9};
+  return curve;
+}
+
+/// The panels of one load, in the order of the argument: what the paper compares, then every potential with continua of
+/// its own constants, then what is left.
+struct LoadPanels {
+  Panel paper, own, ratio;
+};
+
+/// The potential's atoms, the membrane with its constants and the sheet of its own law; the lines are named once.
+void add_runs(LoadPanels& panels, LoadKind load, const Result& result, const std::string& potential,
+              std::size_t number) {
+  const Colour colour = nth_colour(number);
+  std::vector<PlotCurve>& curves = panels.own.curves;
   for (const Run& run : result.runs) {
-    std::vector<PlotCurve>& curves = (run.load == LoadKind::point ? point : disc).curves;
-    if (run.model == Model::atomistic)
-      curves.push_back(curve_of(run, potential + ", atoms", colour, std::nullopt));
-    else if (run.constants == Constants::card)
-      curves.push_back(curve_of(run, potential + ", membrane", colour, Line{}));
+    if (run.load != load) continue;
+    if (run.is_atomistic())
+      curves.push_back(as_points(curve_of(run, "atoms, " + potential, colour), number));
     else if (run.model == Model::sheet)
-      curves.push_back(curve_of(run, potential + ", sheet of its own law", colour, Line{Dash::dotted, 1.2}));
-    else if (first && run.constants == Constants::paper)
-      curves.push_back(curve_of(run, "membrane, the paper's constants", Colour::black, Line{Dash::dashed, 2}));
+      curves.push_back(as_line(curve_of(run, "sheet: own law, bending", colour), {.width = 1.5}, number == 0));
+    else if (run.constants == Constants::card)
+      curves.push_back(
+          as_line(curve_of(run, "membrane, E·h and ν of the potential", colour), {Dash::dashed, 1.2}, number == 0));
   }
 }
 
-void add_ratios(Panel& point, Panel& disc, const Result& result, const std::string& potential, Colour colour) {
+void add_ratio(Panel& panel, LoadKind load, const Result& result, const std::string& potential, std::size_t number) {
   for (const Comparison& c : result.comparisons) {
-    PlotCurve curve{.name = potential, .x = {}, .y = {}, .colour = colour};
+    if (c.load != load) continue;
+    PlotCurve curve{.name = potential, .x = {}, .y = {}, .colour = nth_colour(number)};
     curve.line = Line{.width = 1.2};
-    curve.points = Points{.size = 0.6};
+    curve.points = Points{.marker = nth_marker(number), .size = 0.6};
     for (std::size_t i = 0; i < c.depth_A.size(); ++i) {
       if (c.regime[i] == Regime::artefact) continue;
-      curve.x.push_back(c.depth_relative[i]);
+      curve.x.push_back(c.depth_A[i]);
       curve.y.push_back(c.force_ratio[i]);
     }
-    (c.load == LoadKind::point ? point : disc).curves.push_back(std::move(curve));
+    panel.curves.push_back(std::move(curve));
   }
 }
 
-void add_plates(Panel& panel, const Result& result, double tip) {
+/// The paper's own comparison: its constants as membrane, shell and Eq. 16, plates of the first potential, whose atoms
+/// stand beside.
+void add_paper(Panel& panel, LoadKind load, const Result& result, const std::string& potential, double tip) {
   const auto add = [&](const std::string& name, const std::vector<double>& force, Colour colour, Line line) {
     panel.curves.push_back({.name = name, .x = plate_depths(), .y = force, .colour = colour, .line = line});
   };
-  const CardSummary& card = *result.card;
-  const double a = result.sheet->effective_radius_A;
-  const double thin = card.Eh_eV_per_A2 * std::pow(duan_wang_thickness_A, 2) / (12 * (1 - card.nu * card.nu));
-  add("plate, card's κ", plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip), Colour::dark_grey,
-      {Dash::dotted, 1.2});
-  add("plate, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), Colour::dark_grey,
-      {Dash::long_dashed, 1.2});
-  add("shell of [30], κ = 1.30 eV", plate(radius_A, paper::Eh_eV_per_A2, paper::nu, paper::shell_bending_eV, tip),
-      Colour::grey, {Dash::dash_dotted, 1.2});
+  for (const Run& run : result.runs)
+    if (run.load == load && run.constants == Constants::paper)
+      panel.curves.push_back(
+          as_line(curve_of(run, "membrane, the paper's constants", Colour::black), {Dash::dashed, 2}));
   std::vector<double> eq16;
   for (const double d : plate_depths()) eq16.push_back(Eq16{radius_A, paper::nu}.force(d, paper::Eh_eV_per_A2, 0));
   add("Eq. 16, the paper's constants", eq16, Colour::black, {.width = 0.8});
+  add("shell, the same and κ = 1.30 eV", plate(radius_A, paper::Eh_eV_per_A2, paper::nu, paper::shell_bending_eV, tip),
+      Colour::orange, {Dash::dash_dotted, 1.5});
+  const CardSummary& card = *result.card;
+  const double a = result.sheet->effective_radius_A;
+  const double thin = card.Eh_eV_per_A2 * std::pow(duan_wang_thickness_A, 2) / (12 * (1 - card.nu * card.nu));
+  add(fmt::format("plate, E·h and κ of {}", potential),
+      plate(a, card.Eh_eV_per_A2, card.nu, card.bending_modulus_eV, tip), Colour::green, {.width = 1.5});
+  add("plate, the same E·h, h = 0.52 Å", plate(a, card.Eh_eV_per_A2, card.nu, thin, tip), Colour::purple,
+      {Dash::long_dashed, 1.5});
+  for (const Run& run : result.runs)
+    if (run.load == load && run.is_atomistic())
+      panel.curves.push_back(as_points(curve_of(run, "atoms, " + potential, nth_colour(0)), 0));
 }
 
 void add_numbers(PaperFigure& figure) {
@@ -141,19 +172,20 @@ void add_moduli(PaperFigure& figure, const Result& result, const std::string& po
                             "the paper's constants were fitted to an older molecular-mechanics curve"});
 }
 
-Panel force_panel(const char* title) {
-  return {.title = title,
-          .x = {.label = "depth", .unit = "Å", .key = "depth_A", .low = 0, .high = 25},
-          .y = {.label = "force", .unit = "eV/Å", .key = "force_eV_per_A", .low = 0},
-          .legend = Legend::left_top};
-}
-
-Panel ratio_panel(const std::string& load) {
-  return {.title = "atoms over membrane, " + load,
-          .x = {.label = "depth / effective radius", .unit = {}, .key = "depth_relative", .low = 0, .high = 0.25},
-          .y = {.label = "force ratio", .unit = {}, .key = "force_ratio", .low = 0.8, .high = 1.5},
-          .legend = Legend::right_top,
-          .marks = {{.along = Along::y, .at = 1}}};
+LoadPanels panels_of(const char* load) {
+  const Axis depth{.label = "depth", .unit = "Å", .key = "depth_A", .low = 0, .high = 25};
+  const Panel forces{.title = {},
+                     .x = depth,
+                     .y = {.label = "force", .unit = "eV/Å", .key = "force_eV_per_A", .low = 0},
+                     .legend = Legend::left_top};
+  LoadPanels panels{forces, forces, {}};
+  panels.paper.title = load;
+  panels.ratio = {.title = {},
+                  .x = depth,
+                  .y = {.label = "atoms / that membrane", .unit = {}, .key = "force_ratio", .low = 0.8, .high = 1.5},
+                  .legend = Legend::right_top,
+                  .marks = {{.along = Along::y, .at = 1}}};
+  return panels;
 }
 
 }  // namespace
@@ -161,23 +193,26 @@ Panel ratio_panel(const std::string& load) {
 PaperFigure figure2(const FigureContext& context) {
   PaperFigure figure;
   figure.number = 2;
-  figure.title = "a sheet of R = 110 Å: atoms, membrane, plates, Eq. 16";
-  Panel point = force_panel("point load"), disc = force_panel("disc of 10 Å");
-  Panel point_ratio = ratio_panel("point"), disc_ratio = ratio_panel("disc");
+  figure.title = "a sheet of R = 110 Å: the paper's comparison, and atoms beside continua of their own constants";
+  const LoadKind loads[] = {LoadKind::point, LoadKind::disc};
+  LoadPanels panels[] = {panels_of("point load"), panels_of("disc of 10 Å")};
   for (std::size_t i = 0; i < context.potentials.size(); ++i) {
     const std::string& potential = context.potentials[i];
     const std::string name = std::filesystem::path(potential).stem().string();
     const StudyOutcome outcome = study(potential, context);
-    add_runs(point, disc, outcome.result, name, nth_colour(i), i == 0);
-    add_ratios(point_ratio, disc_ratio, outcome.result, name, nth_colour(i));
-    add_moduli(figure, outcome.result, name);
-    if (i == 0) {
-      add_plates(point, outcome.result, 0);
-      add_plates(disc, outcome.result, tip_A);
+    for (std::size_t l = 0; l < std::size(loads); ++l) {
+      add_runs(panels[l], loads[l], outcome.result, name, i);
+      add_ratio(panels[l].ratio, loads[l], outcome.result, name, i);
+      if (i == 0) add_paper(panels[l].paper, loads[l], outcome.result, name, loads[l] == LoadKind::disc ? tip_A : 0);
     }
+    add_moduli(figure, outcome.result, name);
   }
   add_numbers(figure);
-  figure.panels = {point, disc, point_ratio, disc_ratio};
+  figure.remarks.push_back(
+      "the paper's constants, E = 5.864 eV/Å³ and h = 1.37 Å, are those of its reference [30]; the shell is the same "
+      "with κ = E h³/12(1 − ν²); plates are von Kármán's, clamped");
+  figure.panels = {panels[0].paper, panels[1].paper, panels[0].own, panels[1].own, panels[0].ratio, panels[1].ratio};
+  figure.row_shares = {0.36, 0.36, 0.28};
   return figure;
 }
 

@@ -57,7 +57,7 @@ void add(PaperFigure& figure, const char* name, const membrane::Load& load, cons
   const double force = force_for_the_rim(load);
   const membrane::Problem problem = problem_of(load, {force / 8, force / 3, force});
   const SheetPicture sheet = solved_levels(problem, paper::thickness_A, "figure 3").back();
-  TriangleMap map = triangle_map(sheet, name, "cauchy_1_eV_per_A3", SeenOver::flat);
+  TriangleMap map = recovered_map(sheet, name, "cauchy_1_eV_per_A3", SeenOver::flat);
   map.key = "larger_principal_stress_eV_per_A3";
   map.quarter = false;  // as the paper shows it
   Panel panel{.title = fmt::format("{}, F = {:.2f} eV/Å", name, force),

@@ -23,6 +23,16 @@ membrane::Problem paper_problem() {
   return problem;
 }
 
+/// The square as it stands under the pressure, in the colours of its larger stress.
+Panel oblique_panel(const SheetPicture& square) {
+  Panel panel = square_panel("the deformed square, larger stress", "eV/Å³", square, "cauchy_1_eV_per_A3",
+                             "larger_principal_stress_eV_per_A3");
+  raise(panel.maps[0], square);
+  panel.curves.clear();
+  panel.scale.low = 0;
+  return panel;
+}
+
 void add_numbers(PaperFigure& figure, const SheetPicture& square) {
   figure.numbers.push_back({"smaller principal stress: upper end", "eV/Å³", "Gil et al. 2010, Figure 4", 0.045,
                             std::ranges::max(column(square.triangles, "cauchy_2_eV_per_A3")), 0.05,
@@ -55,7 +65,8 @@ PaperFigure figure4(const FigureContext& context) {
   for (double& state : states.maps[0].value) state = 2 - state;  // from slack to taut, as the stress grows
   states.scale = scale_of_states();
   std::ranges::reverse(states.scale.classes);
-  states.curves.push_back(tension_rays(square, SeenOver::flat));
+  states.curves.push_back(tension_rays(square, SeenOver::deformed));
+  figure.panels.push_back(oblique_panel(square));
   add_numbers(figure, square);
   if (context.atoms) add_square_of_atoms(figure, context);
   return figure;

@@ -13,7 +13,8 @@ namespace validate {
 
 /// What is drawn, and the numbers beside their references.
 struct PaperFigure : FigureResult {
-  std::vector<Panel> panels;  ///< two to a row
+  std::vector<Panel> panels;            ///< two to a row
+  std::vector<double> row_shares = {};  ///< see Plot: rows that share their x axis
 };
 
 /// What making a figure may use.

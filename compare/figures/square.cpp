@@ -37,7 +37,7 @@ double largest_pull_in_A(const SheetPicture& square) {
   return largest;
 }
 
-PlotCurve wrinkled_outline(const SheetPicture& square) {
+PlotCurve wrinkled_outline(const SheetPicture& square, SeenOver over) {
   PlotCurve curve{.name = "wrinkled zone", .x = {}, .y = {}, .colour = Colour::white};
   curve.line = Line{.width = 1};
   curve.strokes = true;
@@ -52,8 +52,9 @@ PlotCurve wrinkled_outline(const SheetPicture& square) {
   for (const auto& [side, count] : wrinkled_sides) {
     if (count != 1) continue;
     for (const int node : {side.first, side.second}) {
-      curve.x.push_back(square.mesh.nodes[static_cast<std::size_t>(node)][0]);
-      curve.y.push_back(square.mesh.nodes[static_cast<std::size_t>(node)][1]);
+      const Eigen::Vector2d place = place_of(square, node, over);
+      curve.x.push_back(place.x());
+      curve.y.push_back(place.y());
     }
   }
   return curve;
@@ -68,9 +69,9 @@ Panel square_panel(const std::string& title, const char* label) {
 Panel square_panel(const std::string& title, const char* label, const SheetPicture& square, const std::string& column,
                    const std::string& key) {
   Panel panel = square_panel(title, label);
-  panel.maps = {triangle_map(square, title, column, SeenOver::flat)};
+  panel.maps = {column == "state" ? triangle_map(square, title, column) : recovered_map(square, title, column)};
   panel.maps[0].key = key;
-  panel.curves = {wrinkled_outline(square)};
+  panel.curves = {wrinkled_outline(square, SeenOver::deformed)};
   return panel;
 }
 

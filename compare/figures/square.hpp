@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/figures/paper_figure.hpp"
 #include "compare/results/sheet_columns.hpp"
 
@@ -16,7 +17,7 @@ std::vector<SheetPicture> solved_levels(const membrane::Problem& problem, double
 double largest_pull_in_A(const SheetPicture& square);
 
 /// The sides between a wrinkled triangle and one that is not, and those of wrinkled triangles on the edge of the sheet.
-PlotCurve wrinkled_outline(const SheetPicture& square);
+PlotCurve wrinkled_outline(const SheetPicture& square, SeenOver over);
 
 /// A map's panel without its field.
 Panel square_panel(const std::string& title, const char* label);

@@ -49,7 +49,7 @@ Panel virial_panel(const std::string& title, const std::vector<VirialCell>& fiel
       map.value.push_back(cell.smaller_eV_per_A2);
     }
   panel.maps.push_back(std::move(map));
-  panel.curves.push_back(wrinkled_outline(membrane));
+  panel.curves.push_back(wrinkled_outline(membrane, SeenOver::flat));
   return panel;
 }
 

@@ -97,11 +97,13 @@ std::string numbers_text(const PaperFigure& figure) {
 
 Plot plot_of(const PaperFigure& figure) {
   const int rows = static_cast<int>(figure.panels.size() + 1) / 2;
+  const bool related = !figure.row_shares.empty();  // the lower panels are smaller
   return {.title = fmt::format("Figure {}: {}", figure.number, figure.title),
           .panels = figure.panels,
           .columns = 2,
           .width = 1200,
-          .height = 560 * rows};
+          .height = (related ? 460 : 560) * rows,
+          .row_shares = figure.row_shares};
 }
 
 void write_paper_figure(const PaperFigure& figure, const std::filesystem::path& folder) {

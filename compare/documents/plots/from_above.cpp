@@ -30,20 +30,24 @@ Panel atoms_panel(LoadKind load, const std::vector<AtomFromAbove>& atoms) {
 
 void leave_out_within(double radius_A, TriangleMap& map) {
   TriangleMap kept = map;
-  kept.corners.clear(), kept.value.clear();
+  kept.corners.clear(), kept.value.clear(), kept.at_corners.clear();
   for (std::size_t i = 0; i < map.value.size(); ++i) {
     const auto& c = map.corners[i];
     if ((c[0] + c[1] + c[2]).norm() / 3 < radius_A) continue;
     kept.corners.push_back(c);
     kept.value.push_back(map.value[i]);
+    kept.at_corners.push_back(map.at_corners[i]);
   }
   map = std::move(kept);
 }
 
 Panel membrane_panel(const Run& run, const SheetPicture& picture) {
-  TriangleMap map = triangle_map(picture, "larger principal force", "cauchy_1_eV_per_A3");
+  TriangleMap map = recovered_map(picture, "larger principal force", "cauchy_1_eV_per_A3");
   map.key = "larger_principal_force_N_per_m";
-  for (double& value : map.value) value *= picture.thickness_A * N_per_m_per_eV_per_A2;
+  const double factor = picture.thickness_A * N_per_m_per_eV_per_A2;
+  for (double& value : map.value) value *= factor;
+  for (auto& values : map.at_corners)
+    for (double& value : values) value *= factor;
   if (!(run.tip_A > 0)) leave_out_within(0.01 * run.a_A, map);
   Panel panel = seen_from_above(fmt::format("membrane, {} load: larger Cauchy force", run.load), run.a_A);
   panel.maps = {std::move(map)};

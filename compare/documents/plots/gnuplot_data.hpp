@@ -2,19 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string>
 
 #include "compare/documents/plots/plot.hpp"
 
 namespace validate {
-
-/// The smallest and the largest of the finite values added.
-struct DataRange {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-  void add(double value);
-  bool known() const { return low <= high; }
-};
 
 /// Names of the blocks: of a panel's curve (x, y, upper edge or value), of its map, of its bars (boxxyerror's six).
 std::string curve_block(std::size_t panel, std::size_t curve);

@@ -10,6 +10,7 @@
 #include "compare/documents/plots/gnuplot.hpp"
 #include "compare/documents/plots/gnuplot_data.hpp"
 #include "compare/documents/plots/gnuplot_layout.hpp"
+#include "compare/documents/plots/gnuplot_maps.hpp"
 
 namespace validate {
 namespace {
@@ -176,27 +177,37 @@ std::string colour_commands(const Panel& panel) {
   }
   for (std::size_t i = 0; i < scale_of_fields().size(); ++i)
     fmt::format_to(std::back_inserter(colours), "{}{} '{}'", i ? ", " : "", i, scale_of_fields()[i]);
-  DataRange range;
-  for (const TriangleMap& map : panel.maps)
-    for (const double value : map.value) range.add(value);
-  for (const PlotCurve& curve : panel.curves)
-    for (const double value : curve.value) range.add(value);
-  if (!range.known()) range = {0, 1};
-  const double low = panel.scale.low.value_or(range.low), high = panel.scale.high.value_or(range.high);
+  const DataRange range = coloured_range(panel), values = range_of_values(panel);
+  std::string over;  // the colours' last one stands for all that is beyond
+  if (panel.scale.high && values.known() && values.high > 1.01 * range.high)
+    over = fmt::format("set cbtics add ('≥ {:.3g}' {:.6g})\n", range.high, range.high);
   return fmt::format(
-      "set palette defined ({}) maxcolors 0\nset cbrange [{:.6g}:{:.6g}]\nset label {} at graph 1.05,1.06\n", colours,
-      low, high > low ? high : low + 1, gnuplot_quoted(panel.scale.label));
+      "set palette defined ({}) maxcolors 0\nset cbrange [{:.6g}:{:.6g}]\n{}set label {} at graph 1.05,1.06\n", colours,
+      range.low, range.high, over, gnuplot_quoted(panel.scale.label));
+}
+
+/// Whether the panel's sheet is seen obliquely.
+bool is_oblique(const Panel& panel) {
+  return std::ranges::any_of(panel.maps, [](const TriangleMap& map) { return !map.height.empty(); });
 }
 
 std::string splot(const Plot& plot, std::size_t p) {
   const Panel& panel = plot.panels[p];
   std::vector<std::string> clauses;
   for (std::size_t m = 0; m < panel.maps.size(); ++m)
-    clauses.push_back(fmt::format("{} using 1:2:(0):3 with pm3d notitle", map_block(p, m)));
+    clauses.push_back(fmt::format("{} using 1:2:3:4 with pm3d notitle", map_block(p, m)));
   for (std::size_t c = 0; c < panel.curves.size(); ++c)
     if (!panel.curves[c].x.empty())
       clauses.push_back(fmt::format("{} using 1:2:(0){} with {} notitle", curve_block(p, c),
                                     panel.curves[c].value.empty() ? "" : ":3", style(panel.curves[c])));
+  if (is_oblique(panel))
+    return map_place(plot, p) + colour_commands(panel) +
+           fmt::format(
+               "set pm3d depthorder corners2color c1 @map_border\nset view 62,30,1.25\nset view equal xyz\nset xyplane "
+               "0\n"
+               "unset key\nunset border\nunset xtics\nunset ytics\nunset ztics\nunset xlabel\nunset ylabel\n"
+               "splot {}\n",
+               fmt::join(clauses, ", \\\n     "));
   return map_place(plot, p) +
          "set pm3d map corners2color c1 scansbackward @map_border\nunset key\nset border 31 lw 0.5\nset xlabel offset "
          "0,0.4\nset "

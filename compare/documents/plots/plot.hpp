@@ -58,7 +58,9 @@ struct TriangleMap {
   std::string name, key;  ///< key: name with unit for the data files
   std::vector<std::array<Eigen::Vector2d, 3>> corners;
   std::vector<double> value;
-  bool quarter = false;  ///< drawn with its mirror images in x = 0 and y = 0
+  bool quarter = false;                                ///< drawn with its mirror images in x = 0 and y = 0
+  std::vector<std::array<double, 3>> at_corners = {};  ///< values there: drawn in bands of equal value, not by triangle
+  std::vector<std::array<double, 3>> height = {};      ///< of the corners: seen obliquely, not from above
 };
 
 struct Axis {

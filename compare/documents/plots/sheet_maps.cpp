@@ -18,7 +18,7 @@ double half_side(const SheetPicture& picture) {
 
 Panel stress_panel(const SheetPicture& picture, const std::string& title, const std::string& key) {
   Panel panel = seen_from_above(title, half_side(picture));
-  panel.maps = {triangle_map(picture, title, key)};
+  panel.maps = {recovered_map(picture, title, key)};
   panel.scale.label = "eV/Å³";
   panel.scale.low = std::min(0.0, std::ranges::min(panel.maps[0].value));
   return panel;
@@ -54,6 +54,32 @@ TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, c
     map.corners.push_back({corner(0), corner(1), corner(2)});
   }
   return map;
+}
+
+TriangleMap recovered_map(const SheetPicture& picture, const std::string& name, const std::string& key, SeenOver over) {
+  TriangleMap map = triangle_map(picture, name, key, over);
+  std::vector<double> sum(picture.mesh.nodes.size(), 0), area(picture.mesh.nodes.size(), 0);
+  const auto& triangles = picture.mesh.triangles;
+  const auto at = [&](const membrane::Triangle& triangle, int a) {
+    return static_cast<std::size_t>(triangle.nodes[a]);
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int a = 0; a < 3; ++a) {
+      sum[at(triangles[t], a)] += triangles[t].area_A2 * map.value[t];
+      area[at(triangles[t], a)] += triangles[t].area_A2;
+    }
+  for (const auto& triangle : triangles) {
+    const auto value = [&](int a) { return sum[at(triangle, a)] / area[at(triangle, a)]; };
+    map.at_corners.push_back({value(0), value(1), value(2)});
+  }
+  return map;
+}
+
+void raise(TriangleMap& map, const SheetPicture& picture) {
+  for (const auto& triangle : picture.mesh.triangles) {
+    const auto z = [&](int a) { return picture.displacement[3 * static_cast<std::size_t>(triangle.nodes[a]) + 2]; };
+    map.height.push_back({z(0), z(1), z(2)});
+  }
 }
 
 PlotCurve tension_rays(const SheetPicture& picture, SeenOver over) {

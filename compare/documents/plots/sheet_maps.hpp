@@ -16,6 +16,14 @@ enum class SeenOver { deformed, flat };
 TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, const std::string& key,
                          SeenOver over = SeenOver::deformed);
 
+/// The same in bands of equal value: those of the nodes, each the mean of its triangles by area. The steps from
+/// triangle to triangle, which are the mesh's, are gone.
+TriangleMap recovered_map(const SheetPicture& picture, const std::string& name, const std::string& key,
+                          SeenOver over = SeenOver::deformed);
+
+/// Puts the deformed sheet's heights to a map: it is then seen obliquely.
+void raise(TriangleMap& map, const SheetPicture& picture);
+
 /// Strokes along the tension of wrinkled triangles, thinned out to about fourteen a direction of a quarter.
 PlotCurve tension_rays(const SheetPicture& picture, SeenOver over);
 
