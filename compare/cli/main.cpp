@@ -25,6 +25,7 @@
 #include "compare/cli/bulge.hpp"
 #include "compare/cli/curve.hpp"
 #include "compare/cli/design.hpp"
+#include "compare/cli/export.hpp"
 #include "compare/cli/figure.hpp"
 #include "compare/cli/fit.hpp"
 #include "compare/cli/flags.hpp"
@@ -51,6 +52,7 @@ constexpr std::array commands = {
     Command{"bulge", validate::add_bulge},
     Command{"curve", validate::add_curve},
     Command{"design", validate::add_design},
+    Command{"export", validate::add_export},
     Command{"figure", validate::add_figure},
     Command{"fit", validate::add_fit},
     Command{"indentation", validate::add_indentation},

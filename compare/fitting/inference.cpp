@@ -53,10 +53,11 @@ Uncertainty uncertainty(const Likelihood& likelihood, const LikelihoodMaximum& b
   return {{value - with_numerical(value - low), value + with_numerical(high - value)}, with_numerical(half) / quantile};
 }
 
-void read_zeros(const Likelihood& likelihood, const LikelihoodMaximum& best, Fit& fit) {
+void read_zeros(const Likelihood& likelihood, const LikelihoodMaximum& best, bool profile, Fit& fit) {
   if (const int i = likelihood.contact_index(); i >= 0) {
     fit.contact_nm = nm_per_A * likelihood.contact_depth(best.theta);
-    fit.contact_stderr_nm = nm_per_A * uncertainty(likelihood, best, i, 0).standard_error;
+    fit.contact_stderr_nm =
+        nm_per_A * (profile ? uncertainty(likelihood, best, i, 0).standard_error : std::sqrt(best.covariance(i, i)));
   }
   if (const int i = likelihood.force_zero_index(); i >= 0) {
     fit.force_zero_nN = nN_per_eV_per_A * best.theta[i];
@@ -162,7 +163,7 @@ std::variant<Fit, std::string> infer(const CurvePoints& points, const ForceModel
   fit.correlation = best.covariance(0, 1) / std::sqrt(best.covariance(0, 0) * best.covariance(1, 1));
   fit.minus_two_log_likelihood = best.minus_two_log;
   fit.sources = sources(likelihood, best, numerical);
-  read_zeros(likelihood, best, fit);
+  read_zeros(likelihood, best, options.contact_profile, fit);
   read_noise(likelihood, best, fit);
   read_residuals(likelihood, best, fit);
   bootstrap(points, model, options, likelihood, best, fit);

@@ -14,6 +14,8 @@ namespace validate {
 struct InferenceOptions {
   FreeZeros free;
   std::vector<UncertainInput> inputs;
+  bool contact_profile =
+      true;  ///< the contact's error by its own profile; else by the covariance, at a third less time
   int bootstrap_samples = 0;
   std::uint32_t seed = 1;
 };

@@ -69,7 +69,8 @@ std::variant<Fit, std::string> fit_closed_form(const CurvePoints& points, const 
                                                const std::string& name) {
   const ClosedForm& form = closed_form(name, "--model");
   const ForceModel model = force_model(form.make(options.geometry));
-  InferenceOptions inference{options.free, instrument_inputs(model, options), options.bootstrap_samples, options.seed};
+  InferenceOptions inference{options.free, instrument_inputs(model, options), !options.quoted_alone,
+                             options.bootstrap_samples, options.seed};
   for (const auto& [input, member] : geometry_inputs) {
     if (!(options.errors.geometry.*member > 0)) continue;
     ModelGeometry other = options.geometry;
@@ -136,7 +137,9 @@ std::optional<Guess> shallow_guess(const CurvePoints& points, const MeasuredOpti
   const char* shallow = m.tip_A > 0 && options.sphere ? "sphere-pretension" : "foeppl";
   Likelihood likelihood(points, force_model(closed_form(shallow, "--model").make(m)), options.free);
   if (points.depth_A.size() <= static_cast<std::size_t>(likelihood.parameter_count())) return std::nullopt;
-  const LikelihoodMaximum best = most_likely(likelihood);
+  constexpr double roughly = 1e-2;  // of many curves: a table reaches further than what is left
+  const LikelihoodMaximum best =
+      options.quoted_alone ? maximise(likelihood, likelihood.start(), {}, roughly) : most_likely(likelihood);
   return best.converged ? std::optional(Guess(likelihood, best)) : std::nullopt;
 }
 
@@ -172,7 +175,8 @@ class ContinuumFit {
 
   std::variant<Fit, std::string> with_table() {
     const auto [table, inputs] = sheet_model(options_, physics_, range_);
-    const InferenceOptions inference{options_.free, inputs, options_.bootstrap_samples, options_.seed};
+    const InferenceOptions inference{options_.free, inputs, !options_.quoted_alone, options_.bootstrap_samples,
+                                     options_.seed};
     const bool torn = table.deepest_A < range_.deepest_A * (1 - 1e-6);
     auto found = infer(torn ? up_to(points_, table.deepest_A) : points_, table, inference);
     if (Fit* fit = std::get_if<Fit>(&found)) {

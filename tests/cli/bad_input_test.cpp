@@ -37,7 +37,7 @@ const BadCommandLine bad_command_lines[] = {
     {{"indentaton"}, {"unknown command 'indentaton'", "indentation", "did you mean 'indentation'?"}},
     {{"xyzzy"},
      {"unknown command 'xyzzy'",
-      "allowed: bulge, curve, design, figure, fit, indentation, model, potential, published, report"}},
+      "allowed: bulge, curve, design, export, figure, fit, indentation, model, potential, published, report"}},
     {{"--radius", "30"}, {"'--radius'", "before the command", "indentation"}},
     {{"indentation", "--radus", "30"}, {"unknown flag '--radus'", "did you mean '--radius'?"}},
     {{"indentation", "--radus=30"}, {"unknown flag '--radus'", "did you mean '--radius'?"}},

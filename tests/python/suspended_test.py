@@ -62,6 +62,8 @@ def check_campaign(folder, name, sheet, scope, count, seed, k="3 N/m", drawn_k=N
     rows = [r for r in document["many"]["rows"] if not r.get("skipped")]
     check(len(rows) >= 0.98 * count, f"{name}: {len(rows)} of {count} used: "
           + str({r["skipped"] for r in document["many"]["rows"] if r.get("skipped")}))
+    if len(rows) < 2:
+        return
     chance = 3.3 * math.sqrt(0.95 * 0.05 / len(rows))
     for key, truth in (("Eh", sheet.modulus), ("pretension", sheet.pretension)):
         held, bias = tally(rows, key, truth)
@@ -148,17 +150,77 @@ def check_settings(folder):
     check(wrong.returncode == 2 and "radius" in wrong.stderr and ":2" in wrong.stderr, f"a wrong key: {wrong.stderr}")
 
 
+def comma(value):
+    return f"{value:.7g}".replace(".", ",")
+
+
+def texts(there, back, k, sensitivity):
+    """The same curve as the tables that people export: name, content, flags that say what the text does not."""
+    heights, volts = there[0] + back[0], there[1] + back[1]
+    deflections = [sensitivity * v for v in volts]
+    forces = [k * d for d in deflections]
+    rows = list(zip(heights, volts, deflections, forces))
+    sense = ["--sensitivity", f"{sensitivity} nm/V"]
+    yield "volts.csv", "Height (nm),Deflection (V)\n" + "".join(f"{z:.7g},{v:.9g}\n" for z, v, _, _ in rows), sense
+    yield ("bom.csv", "\ufeffHeight [nm];Deflection [V]\r\n" + "".join(f"{comma(z)};{v:.9g}\r\n".replace(".", ",") for z, v, _, _ in rows),
+           sense)
+    yield ("units.txt", "Instrument: X-1\nheight\tdeflection\nµm\tnm\n"
+           + "".join(f"{1e-3 * z:.9g}\t{d:.9g}\n" for z, _, d, _ in rows), [])
+    yield ("force.dat", "# height_nm force_nN\n" + "".join(f"{z:.7g} {f:.9g}\n" for z, _, _, f in rows) + "nan nan\n",
+           ["--baseline", "tilt", "--contact", "fit"])
+    head = {"spring constant": k, "sensitivity": 1e-9 * sensitivity, "imaging mode": "force-distance"}
+    yield ("afmformats.tab", "\n".join(["# afmformats 0.18.0", "#", "# BEGIN METADATA",
+                                       *("# " + line for line in json.dumps(head, indent=2).splitlines()), "# END METADATA",
+                                       "#", "# force\theight (piezo)\tsegment"]) + "\n"
+           + "".join(f"{1e-9 * f:.9g}\t{1e-9 * z:.9g}\t{int(i >= len(there[0]))}\n" for i, (z, _, _, f) in enumerate(rows)), [])
+
+
+def check_texts(folder):
+    sheet, scope = made.Sheet("disc"), made.Microscope(points=300)
+    there, back = made.record(sheet, scope, random.Random(11))
+    for name, content, more in texts(there, back, scope.k, scope.sensitivity):
+        (folder / name).write_bytes(content.encode("latin-1" if name == "units.txt" else "utf-8"))
+        document = fit([folder / name], sheet, *more)
+        if document is None:
+            continue
+        best = next(f for f in document["curves"][0]["fits"] if f["recommended"])
+        away = (best["Eh_N_per_m"] - sheet.modulus) / best["Eh_stderr_N_per_m"]
+        check(abs(away) < 4 and best["Eh_stderr_N_per_m"] < 15, f"{name}: E h {best['Eh_N_per_m']:.1f} N/m, {away:.1f} errors off")
+
+
+def check_lee(folder):
+    """Lee et al., Science 321 (2008) 385: 23 sheets, 67 curves, 342 N/m with a standard deviation of 30 N/m, pretensions
+    from 0.07 to 0.74 N/m: sheets drawn so are read as they were drawn."""
+    rng, moduli, files = random.Random(2008), [], []
+    for drum in range(23):
+        moduli.append(rng.gauss(342, 30))
+        sheet = made.Sheet("sphere", 0.033, rng.choice((0.1, 0.34, 0.7)), 500.0, moduli[-1])
+        files.append(folder / f"lee{drum:02}.h5")
+        made.draw_map(files[-1], sheet, made.Microscope(k=1.77, k_told=1.77, depth_nm=70), 3 if drum < 21 else 2, drum)
+    document = fit(files, made.Sheet(), k="1.77 N/m")
+    if document is None:
+        return
+    mean = sum(moduli) / 23
+    spread = math.sqrt(sum((m - mean) ** 2 for m in moduli) / 22)
+    found = next(m for m in document["many"]["means"] if m["of"] == "drums")
+    print(f"Lee: drawn {mean:.1f} ± {spread:.1f} N/m, read {found['Eh_N_per_m']:.1f} ± {found['Eh_between_N_per_m']:.1f} N/m "
+          f"from {found['count']} drums")
+    check(found["count"] == 23, f"Lee: {found['count']} drums")
+    check(abs(found["Eh_N_per_m"] - mean) < 2, f"Lee: the mean is read {found['Eh_N_per_m']:.1f} for {mean:.1f} N/m")
+    check(abs(found["Eh_between_N_per_m"] - spread) < 3, f"Lee: the spread is read {found['Eh_between_N_per_m']:.1f} for {spread:.1f}")
+
+
 def campaigns(folder):
-    scope = made.Microscope(adhesion_nN=6)
     if not full:
         check_campaign(folder, "disc", made.Sheet("disc"), made.Microscope(points=250, adhesion_nN=6), 60, 1)
         return
+    count = int(os.environ.get("VALIDATE_CURVES", "1000"))
     for tip, share in (("sphere", 0.033), ("disc", 0.033), ("disc", 0.004)):
         for radius in (250.0, 375.0, 500.0, 750.0, 1000.0):
             pretension = {250.0: 0.1, 375.0: 0.7}.get(radius, 0.34)
             sheet = made.Sheet(tip, share, pretension, radius)
             deep = made.Microscope(adhesion_nN=6, depth_nm=0.18 * radius, before_nm=0.3 * radius)
-            check_campaign(folder, f"{tip}-{share}-{radius:g}", sheet, deep, 400, int(radius) + len(tip))
+            check_campaign(folder, f"{tip}-{share}-{radius:g}", sheet, deep, count, int(radius) + len(tip))
     # k is wrong within its error: the same for a whole map, told with that error.
     rng, held = random.Random(9), 0
     for trial in range(20):
@@ -182,6 +244,9 @@ with tempfile.TemporaryDirectory() as name:
         check_what_is_skipped(folder)
         check_resuming(folder)
         check_settings(folder)
+        check_texts(folder)
+    else:
+        check_lee(folder)
 for fault in faults:
     print(fault)
 sys.exit(1 if faults else 0)

@@ -74,7 +74,7 @@ TEST(Inference, TheOrderOfThePointsIsNothing) {
 
 // A scale that is uncertain by 3 % is 3 % of E·h, beside the noise.
 TEST(Inference, AnUncertainInputIsInTheInterval) {
-  InferenceOptions options{{}, {{"force", scaled(closed(), 1.03)}}, 0, 1};
+  InferenceOptions options{{}, {{"force", scaled(closed(), 1.03)}}, true, 0, 1};
   const Fit exact = fitted(curve(6), {}), fit = fitted(curve(6), options);
   EXPECT_NEAR(fit.Eh_eV_per_A2 / exact.Eh_eV_per_A2, 1, 1e-4);
   const double noise = exact.Eh_stderr_eV_per_A2, scale = 0.03 * exact.Eh_eV_per_A2;
