@@ -61,7 +61,8 @@ std::string looks_wrong(const MeasuredCurve& curve, const std::optional<double>&
       return fmt::format("slip or break: the force falls by {:.3g} nN at {:.4g} nN",
                          nN_per_eV_per_A * (force[i - 1] - force[i]), nN_per_eV_per_A * force[i - 1]);
   std::vector<double> before_z, before_force;
-  for (std::size_t i = 0; i < z.size() && static_cast<int>(i) < p.baseline_points; ++i) {
+  constexpr double margin = 0.05;  // of the way before the contact
+  for (std::size_t i = 0; i < z.size() && z[i] < margin * z.front(); ++i) {
     before_z.push_back(z[i]);
     before_force.push_back(force[i]);
   }

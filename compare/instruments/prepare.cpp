@@ -109,6 +109,29 @@ void take_off(MeasuredCurve& curve, CurvePreparation& done, const BeforeContact&
   keep(curve, kept);
 }
 
+/// Of very many points neighbours are averaged: that loses nothing that the sheet's curve has, and a fit takes as long
+/// as it has points.
+void average(MeasuredCurve& curve) {
+  constexpr std::size_t most = 2000, wanted = 1000;
+  const std::size_t n = curve.depth_A.size();
+  if (n <= most) return;
+  const std::size_t block = (n + wanted - 1) / wanted;
+  const double independent = 1 / std::sqrt(static_cast<double>(block));
+  const auto means = [&](const std::vector<double>& values, double factor) {
+    std::vector<double> some;
+    for (std::size_t from = 0; from + block <= n; from += block)
+      some.push_back(factor *
+                     std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(from),
+                                     values.begin() + static_cast<std::ptrdiff_t>(from + block), 0.0) /
+                     static_cast<double>(block));
+    return some;
+  };
+  for (auto* column : {&curve.depth_A, &curve.force_eV_per_A}) *column = means(*column, 1);
+  for (auto* sigma : {&curve.sigma_eV_per_A, &curve.sigma_depth_A})
+    if (!sigma->empty()) *sigma = means(*sigma, independent);
+  curve.notes.push_back(fmt::format("{} points are averaged by {}", n, block));
+}
+
 void add_notes(MeasuredCurve& curve, const CurvePreparation& done) {
   const auto note = [&](std::string text) { curve.notes.push_back(std::move(text)); };
   note(fmt::format("heights begin at the first estimate of the contact, {:.6g} nm", nm_per_A * done.contact_A));
@@ -147,6 +170,7 @@ void prepare(MeasuredCurve& curve, Baseline baseline, const WayBack& back) {
   take_off(curve, done, before, baseline);
   done.pull_off = pull_off(back, done, curve.spring_constant_eV_per_A2.value_or(NAN));
   add_notes(curve, done);
+  average(curve);
   curve.preparation = std::move(done);
 }
 

@@ -37,7 +37,7 @@ CurvePoints curve(std::uint32_t seed, int count = 120) {
   return p;
 }
 
-Fit fitted(const CurvePoints& points, InferenceOptions options = {{true, true, false}, {}, 0, 1}) {
+Fit fitted(const CurvePoints& points, InferenceOptions options = {{true, true, false}, {}, true, 0, 1}) {
   const auto found = infer(points, closed(), options);
   if (const auto* reason = std::get_if<std::string>(&found)) throw std::runtime_error(*reason);
   return std::get<Fit>(found);
@@ -110,14 +110,16 @@ TEST(Inference, NoiseThatIsNotKnownIsFound) {
 }
 
 TEST(Inference, BootstrapIsTheCovariance) {
-  const Fit fit = fitted(curve(11), {{}, {}, 1500, 7});
+  const Fit fit = fitted(curve(11), {{}, {}, true, 1500, 7});
   // 1500 draws: 1.8 % of a standard error, four times
   EXPECT_NEAR(*fit.Eh_bootstrap_eV_per_A2 / fit.Eh_stderr_eV_per_A2, 1, 0.075);
   EXPECT_NEAR(*fit.pretension_bootstrap_eV_per_A2 / fit.pretension_stderr_eV_per_A2, 1, 0.075);
 }
 
 TEST(Inference, TheSeedDecides) {
-  const auto drawn = [](std::uint32_t seed) { return *fitted(curve(3), {{}, {}, 30, seed}).Eh_bootstrap_eV_per_A2; };
+  const auto drawn = [](std::uint32_t seed) {
+    return *fitted(curve(3), {{}, {}, true, 30, seed}).Eh_bootstrap_eV_per_A2;
+  };
   EXPECT_EQ(drawn(7), drawn(7));
   EXPECT_NE(drawn(7), drawn(8));
 }

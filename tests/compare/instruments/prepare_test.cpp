@@ -91,6 +91,26 @@ TEST(Prepare, PullOffHasItsForceAndWork) {
   EXPECT_NEAR(curve.preparation->pull_off->work_eV, 900, 45);  // and the trapezium of the jump, 1 Å wide
 }
 
+// Ten times as many points with noise: as many as a fit needs are left, and their noise is the mean's.
+TEST(Prepare, VeryManyPointsAreAveraged) {
+  Normal normal(8);
+  MeasuredCurve curve;
+  curve.depth_from_height = true;
+  for (int i = 0; i <= 7000; ++i) {
+    const double z = 0.1 * i, d = z - contact;
+    curve.depth_A.push_back(z);
+    curve.force_eV_per_A.push_back((d > 0 ? stiffness * d : 0) + noise * normal());
+    curve.sigma_eV_per_A.push_back(noise);
+  }
+  prepare(curve, Baseline::level, {});
+  ASSERT_EQ(curve.depth_A.size(), 875u);
+  EXPECT_NEAR(curve.sigma_eV_per_A.front(), noise / std::sqrt(8), 1e-9);
+  double squares = 0;
+  for (int i = 0; i < 400; ++i) squares += std::pow(curve.force_eV_per_A[static_cast<std::size_t>(i)], 2);
+  EXPECT_NEAR(std::sqrt(squares / 400), noise / std::sqrt(8), 0.005);
+  EXPECT_EQ(curve.preparation->raw_height_A.size(), 7001u);
+}
+
 TEST(Prepare, WithoutAContactItSaysSo) {
   MeasuredCurve curve = raw();
   for (std::size_t i = 0; i < curve.depth_A.size(); ++i) curve.force_eV_per_A[i] = noise * std::cos(37.0 * double(i));
