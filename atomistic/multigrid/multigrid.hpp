@@ -26,8 +26,7 @@ enum class Ranks { this_one, all };
 /// function of its right-hand side until the next set-up, so that it can be the metric of a minimiser.
 /// Block by unknown (displacements along x, y and z apart), no knowledge of the matrix's soft directions.
 /// A V-cycle costs half of a W-cycle and leaves so much of the soft modes that a minimiser needs up to half as many
-/// evaluations again: 9 instead of 6 at 300 Å, 13 instead of 9 at 600 Å (Tersoff, one depth from the continuum's
-/// shape).
+/// evaluations again: 13 instead of 9 at 600 Å (Tersoff, one depth from the continuum's shape).
 class Multigrid {
  public:
   /// On all ranks, every rank constructs, sets up and solves. Throws std::runtime_error where the program was built

@@ -87,9 +87,8 @@ AtomsBudget atoms_budget(const Case& c, const atomistic::Potential& potential, s
   budget.forces_s = evaluations * budget.atoms * force_s(potential);
   budget.set_ups_s =
       set_ups * (multigrid ? multigrid_s * free_atoms : factor_s * std::pow(free_atoms / reference, factor_growth));
-  // Beside one for each evaluation: what the load's own response and the end of a level ask for.
-  budget.solves_s =
-      (evaluations + set_ups + 2 * static_cast<double>(levels)) * free_atoms * (multigrid ? cycle_s : factor_solve_s);
+  // One for each evaluation, and one for the load's own response in each metric.
+  budget.solves_s = (evaluations + set_ups) * free_atoms * (multigrid ? cycle_s : factor_solve_s);
   return budget;
 }
 

@@ -36,8 +36,16 @@ TEST(AtomsBudget, SaysTheMemoryThatWasMeasured) {
                                                      {300, Preconditioner::factor, 1.05},
                                                      {110, Preconditioner::multigrid, 0.14},
                                                      {300, Preconditioner::multigrid, 0.53},
-                                                     {600, Preconditioner::multigrid, 2.02}})
+                                                     {600, Preconditioner::multigrid, 2.02},
+                                                     {1000, Preconditioner::multigrid, 5.70}})
     EXPECT_NEAR(1e-9 * budget_of(radius_A, preconditioner).memory_bytes / GB, 1, 0.3) << radius_A;
+}
+
+/// One depth with Tersoff on one core, all of it, measured in processor time.
+TEST(AtomsBudget, SaysTheTimeThatWasMeasured) {
+  EXPECT_NEAR(budget_of(300, Preconditioner::factor).all_s() / 4.6, 1, 0.3);
+  EXPECT_NEAR(budget_of(300, Preconditioner::multigrid).all_s() / 5.0, 1, 0.3);
+  EXPECT_NEAR(budget_of(600, Preconditioner::multigrid).all_s() / 20.3, 1, 0.3);
 }
 
 TEST(AtomsBudget, GrowsWithTheLevelsAndTheSheet) {
