@@ -37,7 +37,8 @@ TEST(AtomsBudget, SaysTheMemoryThatWasMeasured) {
                                                      {110, Preconditioner::multigrid, 0.14},
                                                      {300, Preconditioner::multigrid, 0.53},
                                                      {600, Preconditioner::multigrid, 2.02},
-                                                     {1000, Preconditioner::multigrid, 5.70}})
+                                                     {1000, Preconditioner::multigrid, 5.70},
+                                                     {1400, Preconditioner::multigrid, 11.01}})
     EXPECT_NEAR(1e-9 * budget_of(radius_A, preconditioner).memory_bytes / GB, 1, 0.3) << radius_A;
 }
 
