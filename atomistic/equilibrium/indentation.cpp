@@ -9,15 +9,12 @@
 #include "atomistic/protocol/preconditioning.hpp"
 
 namespace atomistic {
-namespace {
 
 Box box_around(const Sheet& sheet) {
   const double margin = 5, across = sheet.positions.cwiseAbs().maxCoeff() + margin;
   return {.low = {-across, -across, -torn_depth_of_radius * sheet.radius_A - margin},
           .high = {across, across, sheet.radius_A + margin}};
 }
-
-}  // namespace
 
 Sheet make_sheet(const Problem& problem) {
   return make_sheet(problem.radius_A, problem.card.a0_A, problem.biaxial_strain, problem.potential.interaction_range_A,

@@ -26,6 +26,9 @@ struct PathCallbacks {
 /// The sheet of a problem: the clamped ring is as wide as the potential reaches.
 Sheet make_sheet(const Problem& problem);
 
+/// Holds the sheet at any depth that a path may reach.
+Box box_around(const Sheet& sheet);
+
 /// Follows the levels. `finished` holds the levels that an earlier run has already reached, in order; the
 /// path goes on after them. With more than one MPI rank every rank calls this, with the same finished levels; only rank
 /// 0 calls back and gets the report. Throws std::invalid_argument for a problem that makes no sense; not converging

@@ -47,6 +47,22 @@ class MpiSession {
 /// LAMMPS's release date as a number, 20210929. All ranks call it.
 int lammps_release();
 
+/// Langevin dynamics of the first atoms, the others held, at constant forces on some of them. A step of 1 fs shifts the
+/// averages of the stiffest vibrations by 2 %, those of the others by less than 0.1 %.
+struct LangevinBath {
+  double temperature_K = 0;
+  double damping_ps = 0.8;  ///< weak: a vibration's mean is known the sooner the less it is damped
+  double step_ps = 1e-3;
+  int free_atoms = 0;
+  std::vector<int> loaded;    ///< share the force
+  double force_eV_per_A = 0;  ///< along −z
+};
+
+/// Where a dynamics is: 3N numbers each, Å and Å/ps.
+struct PhasePoint {
+  Eigen::VectorXd positions, velocities;
+};
+
 /// One LAMMPS instance with a fixed set of carbon atoms. All ranks construct that of a sheet; rank 0 then calls
 /// evaluate(), the others serve() until rank 0's object is destroyed. A periodic cell is small: a rank that
 /// constructs one has it to itself. Positions and forces are 3N vectors in creation order, valid on rank 0.
@@ -83,6 +99,11 @@ class ForceField {
 
   /// The forces of the last evaluation, of all atoms, on rank 0.
   Eigen::VectorXd gather_forces() const;
+
+  /// Goes on from a phase point and leaves where it has come to; without velocities it draws them. The depth of the
+  /// loaded atoms, mean −z, after every `every` steps. What is drawn depends on the seed alone, and a stretch on its
+  /// beginning and its seed. One rank only.
+  std::vector<double> langevin(const LangevinBath& bath, PhasePoint& at, int steps, int every, unsigned seed);
 
   /// Answers rank 0's evaluations; returns when rank 0 has destroyed its object.
   void serve();

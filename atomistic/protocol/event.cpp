@@ -16,6 +16,16 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StartEvent, lammps_version, ranks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CardEvent, card)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgressEvent, level, evaluations, max_force_eV_per_A)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StepEvent, level, file)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HeatEvent, level)
+static void to_json(nlohmann::json& j, const WarmEvent& e) {
+  j = {{"card", e.card}, {"free_energy_eV_per_A2", e.free_energy_eV_per_A2}};
+}
+static void from_json(const nlohmann::json& j, WarmEvent& e) {
+  e.card = j.at("card");
+  for (const nlohmann::json& value : j.at("free_energy_eV_per_A2"))
+    e.free_energy_eV_per_A2.push_back(number_or_nan(value));
+}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SampleEvent, level, length_ps, mean_depth_A, error_A)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndEvent, report)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ResponseEvent, response)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorEvent, message, fault)
@@ -24,8 +34,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForcesEvent, states)
 namespace {
 
 /// In the order of the variant's alternatives.
-constexpr std::array<std::string_view, std::variant_size_v<Event>> names = {"start", "card", "response", "progress",
-                                                                            "step",  "end",  "error",    "forces"};
+constexpr std::array<std::string_view, std::variant_size_v<Event>> names = {
+    "start", "card", "response", "progress", "step", "end", "error", "forces", "heat", "warm", "sample"};
 
 template <std::size_t index = 0>
 Event read_alternative(std::string_view name, const nlohmann::json& j) {

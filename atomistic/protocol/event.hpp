@@ -8,6 +8,7 @@
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
+#include "atomistic/temperature.hpp"
 
 namespace atomistic {
 
@@ -41,6 +42,22 @@ struct StepEvent {
   std::string file;
 };
 
+/// What a temperature does to a level is on the disk.
+struct HeatEvent {
+  int level = 0;
+};
+
+struct WarmEvent {
+  WarmCard card;
+  std::vector<double> free_energy_eV_per_A2;  ///< of each strain asked for, relative to the unstrained sheet
+};
+
+/// What has been sampled so far is on the disk.
+struct SampleEvent {
+  int level = 0;
+  double length_ps = 0, mean_depth_A = 0, error_A = 0;
+};
+
 struct EndEvent {
   Report report;
 };
@@ -57,8 +74,8 @@ struct ErrorEvent {
   Fault fault = Fault::program;
 };
 
-using Event =
-    std::variant<StartEvent, CardEvent, ResponseEvent, ProgressEvent, StepEvent, EndEvent, ErrorEvent, ForcesEvent>;
+using Event = std::variant<StartEvent, CardEvent, ResponseEvent, ProgressEvent, StepEvent, EndEvent, ErrorEvent,
+                           ForcesEvent, HeatEvent, WarmEvent, SampleEvent>;
 
 std::string to_line(const Event& event);  ///< without the newline
 

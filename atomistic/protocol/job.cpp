@@ -171,6 +171,17 @@ void write_job(const Job& job, const std::filesystem::path& file) {
     j["response"] = {{"potential", response->potential}, {"card", response->card}, {"strains", response->strains}};
   else if (const auto* forces = std::get_if<ForcesJob>(&job.work))
     j["forces"] = forces_to_json(*forces);
+  else if (const auto* warm = std::get_if<WarmJob>(&job.work))
+    j["warm"] = {
+        {"potential", warm->potential}, {"card", warm->card}, {"heat", warm->heat}, {"strains", warm->strains}};
+  else if (const auto* sample = std::get_if<SampleJob>(&job.work))
+    j["sample"] = {{"problem", problem_to_json(sample->problem)},
+                   {"sampling", sample->sampling},
+                   {"level", sample->level},
+                   {"steps_folder", sample->steps_folder}};
+  else if (const auto* heated = std::get_if<HeatJob>(&job.work))
+    j["heat"] = {
+        {"problem", problem_to_json(heated->problem)}, {"heat", heated->heat}, {"steps_folder", heated->steps_folder}};
   else
     j["card"] = {{"potential", std::get<CardJob>(job.work).potential}};
   change_texts(j, text_of_bytes);
@@ -193,6 +204,15 @@ Job read_job(const std::filesystem::path& file) {
       job.work = ResponseJob{j["response"].at("potential"), j["response"].at("card"), j["response"].at("strains")};
     else if (j.contains("forces"))
       job.work = forces_from_json(j["forces"]);
+    else if (j.contains("warm"))
+      job.work =
+          WarmJob{j["warm"].at("potential"), j["warm"].at("card"), j["warm"].at("heat"), j["warm"].at("strains")};
+    else if (j.contains("sample"))
+      job.work = SampleJob{problem_from_json(j["sample"].at("problem")), j["sample"].at("sampling"),
+                           j["sample"].at("level"), j["sample"].at("steps_folder")};
+    else if (j.contains("heat"))
+      job.work =
+          HeatJob{problem_from_json(j["heat"].at("problem")), j["heat"].at("heat"), j["heat"].at("steps_folder")};
     else
       job.work = CurveJob{problem_from_json(j.at("curve").at("problem")), j.at("curve").at("steps_folder")};
     return job;

@@ -7,6 +7,7 @@
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
+#include "atomistic/temperature.hpp"
 
 namespace atomistic {
 
@@ -32,8 +33,31 @@ struct CurveJob {
   std::string steps_folder;  ///< finished levels are written here, and those already here are taken over
 };
 
+/// What a temperature does to a curve's finished levels.
+struct HeatJob {
+  Problem problem;
+  Heat heat;
+  std::string steps_folder;  ///< of the curve; heated levels are written there, and those already there are taken over
+};
+
+/// The flat sheet at a temperature, and what its vibrations add to the free energy under homogeneous strain.
+struct WarmJob {
+  Potential potential;
+  Card card;
+  Heat heat;
+  std::vector<StrainState> strains;
+};
+
+/// A finished level by dynamics.
+struct SampleJob {
+  Problem problem;
+  Sampling sampling;
+  int level = 0;
+  std::string steps_folder;  ///< what has been sampled is kept there
+};
+
 struct Job {
-  std::variant<CardJob, ResponseJob, CurveJob, ForcesJob> work;
+  std::variant<CardJob, ResponseJob, CurveJob, ForcesJob, HeatJob, WarmJob, SampleJob> work;
   std::string log_file;  ///< LAMMPS's log
 };
 

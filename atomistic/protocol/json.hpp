@@ -6,6 +6,7 @@
 
 #include "atomistic/problem.hpp"
 #include "atomistic/response.hpp"
+#include "atomistic/temperature.hpp"
 
 namespace atomistic {
 
@@ -66,6 +67,31 @@ inline void from_json(const nlohmann::json& j, AtomForces& f) {
 NLOHMANN_JSON_SERIALIZE_ENUM(Preconditioning, {{Preconditioning::automatic, "auto"},
                                                {Preconditioning::factor, "factor"},
                                                {Preconditioning::multigrid, "multigrid"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Statistics, {{Statistics::classical, "classical"}, {Statistics::quantum, "quantum"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Heat, temperature_K, statistics, modes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Mode, eigenvalue_eV_per_A2, frequency_THz, out_of_plane, radius_A, shape)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HeatedLevel, level, force_eV_per_A, conjugate_depth_A, stable, depth_shift_A,
+                                   force_shift_eV_per_A, compliance_A2_per_eV, lowest_eigenvalue_eV_per_A2,
+                                   hessian_error_relative, reach_bonds, colours, force_calls, seconds, modes)
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sampling, temperature_K, length_ps, relative_error, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sampled, level, stretches, mean_depth_A, error_A, samples, warm_up_ps,
+                                   correlation_ps, length_ps, depths_A, positions_A, velocities_A_per_ps)
+
+inline void to_json(nlohmann::json& j, const WarmCard& c) {
+  j = {{"temperature_K", c.temperature_K},           {"statistics", c.statistics},
+       {"lattice_constant_A", c.lattice_constant_A}, {"C11_eV_per_A2", c.C11_eV_per_A2},
+       {"C12_eV_per_A2", c.C12_eV_per_A2},           {"longest_wave_A", c.longest_wave_A}};
+}
+inline void from_json(const nlohmann::json& j, WarmCard& c) {
+  c = {.temperature_K = j.at("temperature_K"),
+       .statistics = j.at("statistics"),
+       .lattice_constant_A = number_or_nan(j.at("lattice_constant_A")),
+       .C11_eV_per_A2 = number_or_nan(j.at("C11_eV_per_A2")),
+       .C12_eV_per_A2 = number_or_nan(j.at("C12_eV_per_A2")),
+       .longest_wave_A = j.at("longest_wave_A")};
+}
+
 NLOHMANN_JSON_SERIALIZE_ENUM(Ended, {{Ended::depth_max, "depth_max"},
                                      {Ended::artefact, "artefact"},
                                      {Ended::rupture, "rupture"},

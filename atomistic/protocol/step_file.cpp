@@ -209,4 +209,10 @@ std::vector<Step> read_way_there(const fs::path& folder) {
   return steps;
 }
 
+std::vector<Step> read_equilibria(const fs::path& folder) {
+  std::vector<Step> steps = read_way_there(folder);
+  std::erase_if(steps, [](const Step& s) { return s.unloading || s.search || s.broken || !s.converged; });
+  return steps;
+}
+
 }  // namespace atomistic

@@ -26,4 +26,7 @@ std::vector<Step> read_finished_steps(const std::filesystem::path& folder);
 /// deepest.
 std::vector<Step> read_way_there(const std::filesystem::path& folder);
 
+/// Those of them that are equilibria.
+std::vector<Step> read_equilibria(const std::filesystem::path& folder);
+
 }  // namespace atomistic

@@ -16,13 +16,17 @@
 
 #include "atomistic/cell/card.hpp"
 #include "atomistic/cell/response.hpp"
+#include "atomistic/cell/warm_card.hpp"
 #include "atomistic/equilibrium/indentation.hpp"
 #include "atomistic/lammps/forces.hpp"
 #include "atomistic/lammps/lammps.hpp"
 #include "atomistic/protocol/event.hpp"
+#include "atomistic/protocol/heat_file.hpp"
 #include "atomistic/protocol/job.hpp"
 #include "atomistic/protocol/math_threads.hpp"
 #include "atomistic/protocol/step_file.hpp"
+#include "atomistic/thermal/quasi_harmonic.hpp"
+#include "atomistic/thermal/sampling.hpp"
 
 namespace {
 
@@ -96,6 +100,41 @@ struct Worker {
     const auto finished = read_finished_steps(job.steps_folder);
     const Report report = follow_path(job.problem, log_file, finished, callbacks, session);
     if (session.rank() == 0) tell(EndEvent{report});
+  }
+
+  void operator()(const WarmJob& job) const {
+    if (session.rank() != 0) return;
+    tell(WarmEvent{compute_warm_card(job.potential, job.card, job.heat, log_file),
+                   vibrations_under_strain(job.potential, job.card, job.heat, job.strains, log_file)});
+    tell(EndEvent{});
+  }
+
+  void operator()(const SampleJob& job) const {
+    const auto keep = [&](const Sampled& s) {
+      write_sampled(s, job.steps_folder);
+      tell(SampleEvent{s.level, s.length_ps, s.mean_depth_A, s.error_A});
+    };
+    const Step step = read_step(std::filesystem::path(job.steps_folder) / step_file_name(job.level));
+    sample_level(job.problem, step, job.sampling, log_file, read_sampled(job.level, job.steps_folder), keep);
+    tell(EndEvent{});
+  }
+
+  /// Levels that an earlier run has finished are told of first.
+  void operator()(const HeatJob& job) const {
+    std::vector<Step> steps;
+    std::vector<int> done;
+    if (session.rank() == 0) {
+      steps = read_equilibria(job.steps_folder);
+      for (const Step& step : steps)
+        if (read_heated_level(step.level, job.steps_folder)) done.push_back(step.level);
+    }
+    for (const int level : done) tell(HeatEvent{level});
+    const auto on_level = [&](const HeatedLevel& level) {
+      write_heated_level(level, job.steps_folder);
+      tell(HeatEvent{level.level});
+    };
+    heat_levels(job.problem, steps, job.heat, log_file, done, on_level, session);
+    if (session.rank() == 0) tell(EndEvent{});
   }
 };
 

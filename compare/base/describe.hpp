@@ -41,6 +41,9 @@ inline constexpr std::string_view metre_per_ampere = "m/A";
 inline constexpr std::string_view metre_per_second = "m/s";
 inline constexpr std::string_view volt = "V";
 inline constexpr std::string_view hertz = "Hz";
+inline constexpr std::string_view kelvin = "K";
+inline constexpr std::string_view picosecond = "ps";
+inline constexpr std::string_view share = "share";  ///< of something, 0 to 1
 }  // namespace unit
 
 /// Allowed values of a number. Written so that NaN never passes.

@@ -9,7 +9,7 @@ namespace validate {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> suffixes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> suffixes = {{
     {unit::none, ""},
     {unit::length, "_A"},
     {unit::force, "_eV_per_A"},
@@ -27,6 +27,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> suffixes
     {unit::metre_per_second, "_m_per_s"},
     {unit::volt, "_V"},
     {unit::hertz, "_Hz"},
+    {unit::kelvin, "_K"},
+    {unit::picosecond, "_ps"},
+    {unit::share, ""},
 }};
 
 }  // namespace

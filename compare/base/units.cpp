@@ -36,12 +36,19 @@ constexpr std::array stresses = {Unit{"eV/A^3", 1},         Unit{"eV/nm^3", 1e-3
                                  Unit{"N/m^2", 1e-9 * GPa}, Unit{"kPa", 1e-6 * GPa}, Unit{"MPa", 1e-3 * GPa},
                                  Unit{"GPa", GPa},          Unit{"TPa", 1e3 * GPa}};
 
-constexpr std::array<std::pair<std::string_view, Quantity>, 5> quantities = {{
+constexpr std::array times = {Unit{"ps", 1}, Unit{"fs", 1e-3}, Unit{"ns", 1e3}};
+constexpr std::array shares = {Unit{"share", 1}, Unit{"%", 1e-2}};
+constexpr std::array temperatures = {Unit{"K", 1}, Unit{"mK", 1e-3}};
+
+constexpr std::array<std::pair<std::string_view, Quantity>, 8> quantities = {{
     {unit::none, {"number", {}}},
     {unit::length, {"length", lengths}},
     {unit::force, {"force", forces}},
     {unit::membrane_force, {"membrane force", membrane_forces}},
     {unit::stress, {"stress", stresses}},
+    {unit::kelvin, {"temperature", temperatures}},
+    {unit::picosecond, {"time", times}},
+    {unit::share, {"share", shares}},
 }};
 
 // Spellings that mean the same: both micro signs, both ångström signs and A with a combining ring, exponents.

@@ -18,6 +18,7 @@
 #include "compare/potential/potential_card.hpp"
 #include "compare/potential/switch_length.hpp"
 #include "compare/process/document_folder.hpp"
+#include "compare/study/heating.hpp"
 #include "compare/study/summaries.hpp"
 
 namespace validate {
@@ -30,11 +31,12 @@ constexpr const char* potential_examples =
 
 Examples:
   validate potential tersoff
+  validate potential tersoff --temperature 300
   validate potential airebo --switch-length 1.92 --out airebo-1.92
   validate potential mine.toml --json -)";
 
 struct Options {
-  std::string name, switch_length;
+  std::string name, switch_length, temperature;
   OutputOptions output;
   std::optional<fs::path> json;
   bool refresh = false, allow_code = false;
@@ -47,6 +49,32 @@ double parsed_switch_length(const std::string& text) {
     if (field.name == "switch-length") length = parse_number(field, text, "--switch-length");
   });
   return length.value();
+}
+
+double parsed_temperature(const std::string& text) {
+  std::optional<double> temperature;
+  const Case defaults;
+  describe(defaults, [&](const Field& field, const auto&) {
+    if (field.name == "temperature") temperature = parse_number(field, text, "--temperature");
+  });
+  constexpr double lowest_K = 10;  // below, quantum statistics would sum without end
+  if (!(temperature.value() >= lowest_K))
+    throw bad_input("--temperature: {} K; at least {} K, or none for T = 0", temperature.value(), lowest_K);
+  return temperature.value();
+}
+
+/// Card and law, and at a temperature the flat sheet's, of both statistics.
+Result computed(const PotentialFile& file, const Options& options) {
+  std::optional<double> temperature;
+  if (!options.temperature.empty()) temperature = parsed_temperature(options.temperature);
+  const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = 1};
+  const PotentialCard card = potential_card(file, launch, card_cache(), options.refresh);
+  Result result = potential_result(card);
+  if (!temperature) return result;
+  for (const auto statistics : {atomistic::Statistics::classical, atomistic::Statistics::quantum})
+    result.warm.push_back(summary_of(
+        warm_potential(card, {.temperature_K = *temperature, .statistics = statistics}, {}, launch).card, card.card));
+  return result;
 }
 
 int potential(const Options& options) {
@@ -66,8 +94,7 @@ int potential(const Options& options) {
     file = with_switch_at(file, length, *folder, "--switch-length");
   }
   catch_interrupts();
-  const AtomsLaunch launch{.program = atoms_program(), .launcher = {}, .cores = 1};
-  const Result result = potential_result(potential_card(file, launch, card_cache(), options.refresh));
+  const Result result = computed(file, options);
   open_folder();
   if (folder) {
     if (const auto missing = write_card_files(result, folder->drafts())) spdlog::warn("{}", *missing);
@@ -88,6 +115,8 @@ void add_potential(CLI::App& app, int& exit_code) {
   add_output_options(*command, options->output, "folder for card.json, law.toml, stress-strain.csv, .svg, .png");
   command->add_option("--json", options->json, "write the card there; - is stdout")->type_name("FILE");
   command->add_option("--switch-length", options->switch_length, "move the C-C switch of AIREBO or REBO there, Å")
+      ->type_name("VALUE");
+  command->add_option("--temperature", options->temperature, "the flat sheet at it too: lattice constant, E·h, nu; K")
       ->type_name("VALUE");
   command->add_flag("--refresh", options->refresh, "compute anew even if this card is kept from an earlier run");
   command->add_flag("--allow-code", options->allow_code, "let the potential bring a program of its own");

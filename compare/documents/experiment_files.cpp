@@ -22,6 +22,7 @@
 #include "compare/documents/plots/pulled_rim_plot.hpp"
 #include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
+#include "compare/documents/plots/thermal_plot.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/curves_csv.hpp"
 #include "compare/documents/texts/json.hpp"
@@ -95,6 +96,7 @@ void narrow_figure(const Target& t) {
 void pressed_atoms(const Target& t) { tell(write_plot(pressed_atoms_plot(t.result), t.folder, "atoms")); }
 void ratio(const Target& t) { tell(write_plot(ratio_plot(t.result), t.folder, "ratio")); }
 void explained(const Target& t) { tell(write_plot(explanation_plot(t.result), t.folder, "explanation")); }
+void temperature(const Target& t) { tell(write_plot(thermal_plot(t.result), t.folder, "thermal")); }
 void scan(const Target& t) { tell(write_plot(window_scan_plot(t.result), t.folder, "window_scan")); }
 
 /// The page shows the sheets that were written before it.
@@ -105,7 +107,7 @@ using Write = void (*)(const Target&);
 constexpr Write documents[] = {run_h5, curves, summary, logs, atoms, sheets};
 
 /// Each a gnuplot of its own, side by side; the page shows the sheets that were written before it.
-constexpr Write pictures[] = {page, figure, narrow_figure, ratio, scan, explained, pressed_atoms};
+constexpr Write pictures[] = {page, figure, narrow_figure, ratio, scan, explained, pressed_atoms, temperature};
 
 /// Keeps the first failure: what one document fails at does not take the others away.
 class Failures {

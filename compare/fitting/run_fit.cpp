@@ -336,6 +336,14 @@ void fit_run(Run& run, const LadderPhysics& physics, const ComputedInputs& input
   fit_run(run, physics, inputs, tables);
 }
 
+std::optional<Eq16Reading> read_by_eq16(const Run& run, const std::vector<double>& depth,
+                                        const std::vector<double>& force) {
+  if (depth.size() < fewest_points_to_fit || run.load == LoadKind::pressure) return std::nullopt;
+  const LeastSquaresReport read = solved(force_model(any_model(Eq16{run.a_A, run.nu})), depth, force);
+  if (!read.converged) return std::nullopt;
+  return Eq16Reading{read.parameters[0], read.parameters[1]};
+}
+
 void add_biases(Result& result) {
   for (Run& run : result.runs) {
     Fit* fit = closed_form_fit(run.fits);

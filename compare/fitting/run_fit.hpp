@@ -42,6 +42,10 @@ void fit_runs(Result& result, const LadderPhysics& physics);
 /// The same for one curve.
 void fit_run(Run& run, const LadderPhysics& physics = {}, const ComputedInputs& inputs = {});
 
+/// E·h and pretension by Eq. 16 on a run's radius and Poisson's ratio; nothing from fewer points than a fit needs.
+std::optional<Eq16Reading> read_by_eq16(const Run& run, const std::vector<double>& depth_A,
+                                        const std::vector<double>& force_eV_per_A);
+
 /// Adds to the fits of the atoms what each model reads from the plain membrane of the card's constants at the same
 /// depths, and to every fit its warnings.
 void add_biases(Result& result);

@@ -276,6 +276,38 @@ std::vector<std::string> warnings(const Case& c, const Origins& origins) {
   return found;
 }
 
+/// Quantum statistics of a temperature sum over all multiples of it up to the stiffest vibration's.
+constexpr double lowest_quantum_temperature_K = 10;
+
+/// A temperature is the atoms': of a clamped sheet, whose vibrations are known.
+void check_temperature(const Case& c, const Origins& origins) {
+  if (!c.temperature_K) {
+    for (const char* name : {"statistics", "modes", "sample", "error", "seed"})
+      if (origins.contains(name))
+        throw bad_input("{}: it belongs to a temperature, and none is given", label_of(origins, name));
+    if (c.rim == Rim::thermal || c.rim == Rim::at_rest)
+      throw bad_input("{}: '{}' belongs to a temperature, and none is given", label_of(origins, "rim"),
+                      to_string(*c.rim));
+    return;
+  }
+  const std::string label = label_of(origins, "temperature");
+  if (c.models == Models::membrane || has_given_constants(c))
+    throw bad_input("{}: a temperature is the atoms', and none are asked for", label);
+  if (c.edge == Edge::sliding)
+    throw bad_input("{}: the vibrations of a sheet whose edge slides are not computed; use edge = \"clamped\"", label);
+  if (c.statistics == Statistics::quantum && *c.temperature_K < lowest_quantum_temperature_K)
+    throw bad_input("{}: {} K is too low for quantum statistics; at least {} K", label, *c.temperature_K,
+                    lowest_quantum_temperature_K);
+  for (const auto& [name, value] : {std::pair("modes", c.modes), std::pair("seed", c.seed)})
+    if (value != std::floor(value)) throw bad_input("{}: {} is not a whole number", label_of(origins, name), value);
+  if (!c.sample_ps) return;
+  if (!(*c.temperature_K > 0))
+    throw bad_input("{}: at 0 K there is no dynamics to sample", label_of(origins, "sample"));
+  if (has_load(c, LoadKind::sphere) || has_load(c, LoadKind::pressure))
+    throw bad_input("{}: dynamics is sampled under a dead force, of the loads point and disc",
+                    label_of(origins, "sample"));
+}
+
 }  // namespace
 
 Case bulge_defaults() {
@@ -312,10 +344,11 @@ void settle_rim(Case& c, const Origins& origins) {
   if (!c.rim) return;
   if (c.shape != Shape::disc)
     throw bad_input("{}: a {} has no rim; its key is edge", label_of(origins, "rim"), to_string(c.shape));
-  if (origins.contains("edge") && c.edge != *c.rim)
+  const Edge edge = *c.rim == Rim::sliding ? Edge::sliding : Edge::clamped;
+  if (origins.contains("edge") && c.edge != edge)
     throw bad_input("{}, {}: edge and rim say different things of the same rim; give one", label_of(origins, "edge"),
                     label_of(origins, "rim"));
-  c.edge = *c.rim;
+  c.edge = edge;
 }
 
 bool has_pulled_rim(const Case& c) { return c.rim_tension_eV_per_A2.has_value(); }
@@ -359,6 +392,7 @@ std::vector<std::string> check(const Case& c, const Origins& origins) {
   check_places(c.vacancies_A, "vacancies", c, origins);
   check_places(c.stone_wales_A, "stone-wales", c, origins);
   check_window(c, origins);
+  check_temperature(c, origins);
   return warnings(c, origins);
 }
 

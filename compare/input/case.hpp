@@ -27,6 +27,14 @@ constexpr auto words(Shape) { return std::array{Word{Shape::disc, "disc"}, Word{
 enum class Edge { clamped, sliding };
 constexpr auto words(Edge) { return std::array{Word{Edge::clamped, "clamped"}, Word{Edge::sliding, "sliding"}}; }
 
+/// A disc's rim. A clamped one of a sheet at a temperature is where it is at T = 0, or at the lattice constant of the
+/// temperature.
+enum class Rim { clamped, sliding, at_rest, thermal };
+constexpr auto words(Rim) {
+  return std::array{Word{Rim::clamped, "clamped"}, Word{Rim::sliding, "sliding"}, Word{Rim::at_rest, "static"},
+                    Word{Rim::thermal, "thermal"}};
+}
+
 /// Part of the sheet that is meshed.
 enum class Extent { quarter, full };
 constexpr auto words(Extent) { return std::array{Word{Extent::quarter, "quarter"}, Word{Extent::full, "full"}}; }
@@ -60,12 +68,18 @@ constexpr auto words(Preconditioner) {
                     Word{Preconditioner::multigrid, "multigrid"}};
 }
 
+/// Of the atoms' vibrations.
+enum class Statistics { classical, quantum };
+constexpr auto words(Statistics) {
+  return std::array{Word{Statistics::classical, "classical"}, Word{Statistics::quantum, "quantum"}};
+}
+
 struct Case {
   Shape shape = Shape::disc;
   double radius_A = paper::radius_A;  ///< of the free disc, half the side of a square
   std::optional<double> size_A;       ///< the same in other words, see settle_size
   Edge edge = Edge::clamped;
-  std::optional<Edge> rim;                      ///< the same of a disc in other words, see settle_rim
+  std::optional<Rim> rim;                       ///< of a disc, see settle_rim
   std::optional<double> rim_tension_eV_per_A2;  ///< dead force on a length of a rim that slides, outwards
   std::string potential = "airebo";             ///< empty: a membrane of given constants alone
   std::vector<LoadKind> loads = {LoadKind::point, LoadKind::disc};
@@ -98,6 +112,14 @@ struct Case {
   std::vector<double> vacancies_A, stone_wales_A;  ///< places x, y, x, y, …
   Preconditioner preconditioner = Preconditioner::automatic;
 
+  // [thermal]
+  std::optional<double> temperature_K;  ///< absent: T = 0
+  Statistics statistics = Statistics::classical;
+  double modes = 0;                 ///< softest vibrations to write at the deepest level
+  std::optional<double> sample_ps;  ///< dynamics of a level, at most; absent: none
+  double error = 0.01;              ///< of the mean depth, at which it ends earlier
+  double seed = 1;                  ///< of the dynamics
+
   // [agreement]
   LoadKind judged_load = LoadKind::disc;
   Against against = Against::sheet;
@@ -115,7 +137,11 @@ void describe(Self& c, Visitor&& visit) {
   visit(Field{"size", unit::length, "the same in other words: diameter of a disc, side of a square", positive()},
         c.size_A);
   visit(Field{"edge", {}, "clamped, or sliding in its plane"}, c.edge);
-  visit(Field{"rim", {}, "the same of a disc's rim"}, c.rim);
+  visit(Field{"rim",
+              {},
+              "the same of a disc's rim; clamped at a temperature: static, as at T = 0, or thermal, at its "
+              "lattice constant"},
+        c.rim);
   visit(Field{"rim-tension", unit::membrane_force, "dead force on a length of a rim that slides, outwards", positive()}
             .with_unit(),
         c.rim_tension_eV_per_A2);
@@ -182,6 +208,18 @@ void describe(Self& c, Visitor&& visit) {
         c.stone_wales_A);
   visit(Field{"preconditioner", {}, "of the minimiser; auto: a factor, multigrid for large sheets", {}, "atomistic"},
         c.preconditioner);
+
+  visit(Field{"temperature", unit::kelvin, "of the atoms; T = 0 if not given", not_negative(), "thermal"}.at_top_too(),
+        c.temperature_K);
+  visit(Field{"statistics", {}, "of the atoms' vibrations", {}, "thermal"}.at_top_too(), c.statistics);
+  visit(Field{"modes", {}, "softest vibrations to write", from_to(0, 1000), "thermal"}.at_top_too(), c.modes);
+  visit(Field{"sample", unit::picosecond, "dynamics of each level, at most", positive(), "thermal"}.at_top_too(),
+        c.sample_ps);
+  visit(Field{"error", unit::share, "standard error of the mean depth at which the dynamics of a level ends earlier",
+              between(0, 1), "thermal"}
+            .at_top_too(),
+        c.error);
+  visit(Field{"seed", {}, "of the dynamics", from_to(1, 1e6), "thermal"}.at_top_too(), c.seed);
 
   visit(Field{"judged-load", {}, "load whose curves the verdict compares", {}, "agreement"}, c.judged_load);
   visit(Field{"against", {}, "continuum that the atoms are held against", {}, "agreement"}, c.against);

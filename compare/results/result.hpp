@@ -106,6 +106,7 @@ struct Result {
   Case resolved;
   std::optional<SheetSummary> sheet;  ///< absent where no atoms were asked for
   std::optional<CardSummary> card;
+  std::vector<WarmSheet> warm;  ///< where a temperature was asked for
   std::optional<LawSummary> law;
   std::string law_missing;  ///< why there is none
   std::vector<Run> runs;
@@ -147,6 +148,7 @@ void describe_experiment(Self& r, Visitor&& visit) {
   visit(Field{"case", unit::none, "what was asked for, after the input file and the flags were merged"}, r.resolved);
   visit(Field{"sheet", unit::none, "the sheet of atoms; null where none was asked for"}, r.sheet);
   visit(Field{"card", unit::none, "the potential's linear response (T = 0, flat, relaxed inside the cell)"}, r.card);
+  visit(Field{"warm", unit::none, "the flat sheet at the temperature"}.where_known(), r.warm);
   visit(Field{"law", unit::none, "made from the potential's homogeneous response, as used"}, r.law);
   visit(Field{"law_missing", unit::none, "why there is no law"}.where_known(), r.law_missing);
   visit(Field{"runs", unit::none, "one curve each; the arrays of a run are equally long"}, r.runs);
@@ -164,6 +166,7 @@ void describe_potential(Self& r, Visitor&& visit) {
   visit(Field{"potential", unit::none, "which, and how it is described"}, r.potential);
   if constexpr (!std::is_const_v<Self>) r.card.emplace();
   if (r.card) describe(*r.card, visit);
+  visit(Field{"warm", unit::none, "the flat sheet at the temperature"}.where_known(), r.warm);
   visit(Field{"curves", unit::none, "stress under large homogeneous strain"}, r.stress_curves);
   visit(Field{"states", unit::none, "homogeneous states that the law is made from"}, r.states);
   visit(Field{"law", unit::none, "made from them; null where there is none"}, r.law);

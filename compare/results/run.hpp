@@ -13,6 +13,7 @@
 #include "compare/input/case.hpp"
 #include "compare/results/fit.hpp"
 #include "compare/results/known.hpp"
+#include "compare/results/thermal.hpp"
 
 namespace validate {
 
@@ -202,6 +203,7 @@ struct Run {
 
   std::variant<ContinuumPart, AtomsPart> part;
 
+  std::optional<Thermal> thermal;           ///< of atoms, where a temperature was asked for
   std::vector<Fit> fits;                    ///< of the closed form, then of the continuum itself
   std::string fit_skipped;                  ///< why there is none
   std::vector<std::string> models_skipped;  ///< of the models that could be fitted: which was not, and why
@@ -264,6 +266,7 @@ void describe(Self& run, Visitor&& visit) {
             .where_known(),
         run.longest_bond_A);
   visit(Field{"part", unit::none, "of the model"}, run.part);
+  visit(Field{"thermal", unit::none, "what the temperature does to the curve"}.where_known(), run.thermal);
   visit(Field{"fits", unit::none, "models fitted to this curve"}, run.fits);
   visit(Field{"fit_skipped", unit::none, "why there is no fit"}.where_known(), run.fit_skipped);
   visit(Field{"models_skipped", unit::none, "which of the models was not fitted, and why"}.where_known(),

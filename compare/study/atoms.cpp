@@ -10,6 +10,7 @@
 #include "compare/study/breaking.hpp"
 #include "compare/study/cross_section.hpp"
 #include "compare/study/curves.hpp"
+#include "compare/study/heating.hpp"
 
 namespace validate {
 namespace {
@@ -72,6 +73,7 @@ void compute_atoms(std::vector<PairedLoad>& loads, const atomistic::Sheet& sheet
   if (options.curves_at_once > 0) launch.cores = std::min(launch.cores, options.curves_at_once * ranks);
   const std::vector<AtomsCurve> curves = compute_curves(launch, paths, ranks, options.folder / "work", progress);
   for (std::size_t i = 0; i < loads.size(); ++i) collect(*loads[i].atoms, curves[i], sheet, outcome);
+  heat_atoms(loads, paths, curves, ranks, options, outcome, progress);
   outcome.result.timing.atomistic_s = seconds() - start;
 }
 

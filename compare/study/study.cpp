@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "compare/base/errors.hpp"
 #include "compare/base/interrupt.hpp"
 #include "compare/pairing/pairing.hpp"
@@ -10,8 +12,10 @@
 #include "compare/study/atoms.hpp"
 #include "compare/study/continua.hpp"
 #include "compare/study/flat_tension.hpp"
+#include "compare/study/heating.hpp"
 #include "compare/study/judge.hpp"
 #include "compare/study/levels.hpp"
+#include "compare/study/sheet_heat.hpp"
 #include "compare/study/summaries.hpp"
 
 namespace validate {
@@ -46,13 +50,29 @@ LadderPhysics ladder_of(const PotentialCard* card, const Result& result) {
 }
 
 /// Solves every curve: the continua in a thread of their own beside the atoms, which are other processes.
-void solve(std::vector<PairedLoad>& loads, const PotentialCard* card, const StudyOptions& options,
-           StudyOutcome& outcome, Progress& progress) {
+void solve(std::vector<PairedLoad>& loads, const PotentialCard* card, const WarmPotential* warm,
+           const StudyOptions& options, StudyOutcome& outcome, Progress& progress) {
   Continua continua(loads, card && card->law ? &*card->law : nullptr, options.all_fields);
   if (outcome.sheet) compute_atoms(loads, *outcome.sheet, options, outcome, progress);
   outcome.result.timing.membrane_s = continua.join();
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted");
+  if (warm)
+    for (PairedLoad& load : loads) heat_sheet(load, *card, *warm, heat_of(outcome.result.resolved));
   judge_all(loads, continua.anisotropies(), ladder_of(card, outcome.result), outcome);
+}
+
+/// The flat sheet at the case's temperature.
+std::optional<WarmPotential> warm_up(const Case& c, const PotentialCard& card, const StudyOptions& options,
+                                     StudyOutcome& outcome, Progress& progress) {
+  if (!c.temperature_K) return std::nullopt;
+  progress.say(fmt::format("the flat sheet at {:g} K", *c.temperature_K));
+  WarmPotential warm = warm_potential(card, heat_of(c), warm_strains(card), options.launch);
+  outcome.result.warm = {summary_of(warm.card, card.card)};
+  if (c.rim == Rim::thermal && !std::isfinite(warm.card.lattice_constant_A))
+    throw bad_input(
+        "rim: at {} K the flat sheet of '{}' has no lattice constant, its vibrations are unstable; use static",
+        *c.temperature_K, c.potential);
+  return warm;
 }
 
 void run_with_potential(const Case& c, const PotentialFile& potential, const StudyOptions& options,
@@ -63,6 +83,7 @@ void run_with_potential(const Case& c, const PotentialFile& potential, const Stu
   const std::optional<PotentialCard> card = card_of(c, potential, options, outcome, progress);
   if (!card) return;
   summarise(*card, outcome.result);
+  const std::optional<WarmPotential> warm = warm_up(c, *card, options, outcome, progress);
   const PairedSheet sheet(c, potential.potential, card->card);
   if (c.models != Models::membrane) {
     outcome.potential = potential.potential;
@@ -72,13 +93,13 @@ void run_with_potential(const Case& c, const PotentialFile& potential, const Stu
   std::vector<PairedLoad> loads = pair(c, {potential, *card, sheet});
   if (has_pulled_rim(c) && outcome.sheet && !measure_flat_tension(loads, *card, options, outcome, progress)) return;
   for (PairedLoad& load : loads) set_levels(c, load);
-  solve(loads, &*card, options, outcome, progress);
+  solve(loads, &*card, warm ? &*warm : nullptr, options, outcome, progress);
 }
 
 void run_alone(const Case& c, const StudyOptions& options, StudyOutcome& outcome, Progress& progress) {
   std::vector<PairedLoad> loads = pair(c);
   for (PairedLoad& load : loads) set_levels(c, load);
-  solve(loads, nullptr, options, outcome, progress);
+  solve(loads, nullptr, nullptr, options, outcome, progress);
 }
 
 }  // namespace

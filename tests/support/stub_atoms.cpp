@@ -147,6 +147,12 @@ struct Work {
     }
     tell(EndEvent{{.ended = Ended::depth_max, .reason = "every level reached", .contact = {}}});
   }
+
+  /// Of a temperature it knows nothing.
+  template <class Other>
+  void operator()(const Other&) const {
+    tell(ErrorEvent{"the stub has no vibrations", Fault::program});
+  }
 };
 
 }  // namespace

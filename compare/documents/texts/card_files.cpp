@@ -13,6 +13,7 @@
 #include "compare/documents/plots/stress_strain.hpp"
 #include "compare/documents/texts/json.hpp"
 #include "compare/documents/texts/law_toml.hpp"
+#include "compare/documents/texts/thermal_text.hpp"
 
 namespace validate {
 namespace {
@@ -97,7 +98,7 @@ std::string card_table(const Result& r) {
       "\n            secant modulus, N/m, at    strength, N/m               at strain  artefact from\n"
       "                 2 %     5 %    10 %\n";
   for (const auto& c : r.stress_curves) text += curve_lines(c);
-  return text + law_lines(r);
+  return text + law_lines(r) + warm_lines(r.warm, card.a0_A, card.Eh_eV_per_A2);
 }
 
 std::optional<std::string> write_card_files(const Result& result, const std::filesystem::path& folder) {

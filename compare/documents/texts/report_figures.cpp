@@ -23,6 +23,7 @@
 #include "compare/documents/plots/ratio.hpp"
 #include "compare/documents/plots/sheet_maps.hpp"
 #include "compare/documents/plots/stress_strain.hpp"
+#include "compare/documents/plots/thermal_plot.hpp"
 #include "compare/documents/plots/window_scan.hpp"
 #include "compare/documents/texts/report_html.hpp"
 #include "compare/results/pulled_rim.hpp"
@@ -76,7 +77,12 @@ std::vector<Drawing> experiment_drawings(const Result& result, const std::filesy
         .caption = "Eq. 16 fitted up to increasing depths. Dashed: the constants of the curve. A result "
                    "that moves with "
                    "the window is not one number."},
-       window_scan_plot(result)}};
+       window_scan_plot(result)},
+      {{.title = "at the temperature",
+        .caption =
+            "The atoms' force at T = 0 and at the temperature, and by how much deeper the same force presses: by "
+            "the vibrations about the equilibria, and by dynamics with its 95 %."},
+       thermal_plot(result)}};
 }
 
 /// A sheet of triangles under a pressure at its last level, and the atoms beside it.

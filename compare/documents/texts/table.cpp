@@ -21,6 +21,7 @@
 #include "compare/documents/texts/pressed_table.hpp"
 #include "compare/documents/texts/pulled_rim_table.hpp"
 #include "compare/documents/texts/regime_text.hpp"
+#include "compare/documents/texts/thermal_text.hpp"
 
 namespace validate {
 
@@ -167,6 +168,8 @@ std::string whole_table(const Result& result, int width, bool colour) {
   text += explanation_text(result, width);
   add_regimes(text, result);
   for (const std::string& one : breaking_sentences(result)) sentence(text, "{}", one);
+  text += thermal_table(result);
+  for (const std::string& one : thermal_sentences(result)) sentence(text, "{}", one);
   return text;
 }
 
