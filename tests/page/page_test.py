@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """report.html in headless Chromium: what a reader does is done, and what is seen is measured. Pictures of it are kept in a folder
 for those who want to look. usage: page_test.py VALIDATE [PICTURES_FOLDER]   (77: there is no Chromium)"""
+import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -30,6 +32,8 @@ class Page(unittest.TestCase):
         run(folder, "indentation", "--models", "membrane", "--radius", "0.5 um", *MEMBRANE, "--loads", "point,disc", "--depth-step",
             "20 nm", "--out", "run", "--quiet")
         run(folder, "bulge", "--cells", "8", "--out", "bulge", "--quiet")
+        run(folder, "indentation", "--potential", "tersoff", "--radius", "20", "--loads", "disc", "--tip-radius", "5", "--out", "atoms",
+            "--quiet")
         curve = folder / (HOSTILE.replace("/", "") + ".csv")
         curve.write_text("depth_nm,force_nN\n" + "".join(f"{d},{0.25 * d + 3e-4 * d**3}\n" for d in range(2, 80, 2)))
         run(folder, "fit", curve.name, "--radius", "0.5 um", "--nu", "0.165", "--out", "fit")
@@ -73,10 +77,10 @@ class Page(unittest.TestCase):
         b.settle()
         words = b.run("document.querySelector('.tip').innerText").split("\n")
         self.assertEqual(words[0], "Eq. 16, given constants")
-        depth, force = [float(words[i].split()[1]) for i in (1, 2)]
+        self.assertEqual([words[1].split()[i] for i in (0, 2)] + [words[2].split()[i] for i in (0, 2)], ["depth", "nm", "force", "nN"])
+        depth, force = [1e-9 * float(words[i].split()[1]) for i in (1, 2)]
         eh, pretension, nu, a = 1.0209e12 * 0.335e-9, 0.34, 0.165, 0.5e-6  # SI
-        d = depth * 1e-10
-        expected = (pretension * 3.141592653589793 * d + eh * (1.05 - 0.15 * nu - 0.16 * nu**2) ** -3 * d**3 / a**2) / 1.602176634e-9
+        expected = pretension * 3.141592653589793 * depth + eh * (1.05 - 0.15 * nu - 0.16 * nu**2) ** -3 * depth**3 / a**2
         self.assertAlmostEqual(force / expected, 1, delta=1e-3)
         b.picture(self.pictures / "pointer.png")
 
@@ -94,11 +98,14 @@ class Page(unittest.TestCase):
 
     def test_legend_entries_switch_curves(self):
         b = self.open("run")
-        count = "[...document.querySelector('.panels').querySelectorAll('[data-name]')].filter(e => e.getBoundingClientRect().width > 0).length"
-        before = b.run(count)
+        name = b.run("document.querySelector('.legend button').textContent")
+        shown = "[...document.querySelector('.panels').querySelectorAll('[data-name]')].filter(e => e.getBoundingClientRect().width > 0)"
+        count, all_others = (f"{shown}.filter(e => (e.dataset.name === {name!r}) === {own}).length" for own in ("true", "false"))
+        before, others = b.run(count), b.run(all_others)
+        self.assertGreater(before, 0)
         b.click(*self.place(".legend button"))
         self.assertEqual(b.run("document.querySelector('.legend button').getAttribute('aria-pressed')"), "false")
-        self.assertEqual(b.run(count), before - 1)
+        self.assertEqual((b.run(count), b.run(all_others)), (0, others))
         b.key("Enter")
         self.assertEqual(b.run(count), before)
 
@@ -175,6 +182,48 @@ class Page(unittest.TestCase):
         self.assertLess(b.run(shape)["height"], 0.95 * deep, "flatter where it is pressed less")
         self.assertRegex(b.run("document.querySelector('.depth input').getAttribute('aria-valuetext')"), r"^[\d.]+ Å$")
         self.quiet()
+
+    def sheets(self, name):
+        """The page with its sheets in sight, and what the run's document says."""
+        b = self.open(name)
+        b.run("document.querySelector('[data-sheets]').scrollIntoView()")
+        b.run("until(() => document.querySelector('.view:last-child > canvas')?.dataset.milliseconds)")
+        self.assertGreater(b.run("document.querySelector('.view').getBoundingClientRect().top"), 0, "the page has not jumped past it")
+        return b, json.loads((pathlib.Path(self.folder.name) / name / "summary.json").read_text())
+
+    def said(self, view):
+        return self.browser.run(f"document.querySelectorAll('.view .said')[{view}].innerText")
+
+    def test_atoms_are_where_they_were(self):
+        b, summary = self.sheets("atoms")
+        atoms = next(r for r in summary["runs"] if r["model"] == "atomistic")
+        depths = int(b.run("document.querySelector('.depth input').max")) + 1
+        self.assertEqual(depths, len(atoms["depth_A"]) + 1, "and the flat sheet")
+        for back, bond in enumerate(reversed(atoms["longest_bond_A"])):
+            told = float(re.match(r"longest bond ([\d.]+) Å", self.said(0))[1])
+            self.assertAlmostEqual(told, bond, delta=0.006, msg="positions are rounded to 0.004 Å")
+            self.assertAlmostEqual(float(b.run("document.querySelector('.depth output').innerText").split()[0]),
+                                   atoms["depth_A"][-1 - back], delta=5e-4 * atoms["depth_A"][-1 - back])
+            b.run("document.querySelector('.depth input').focus()")
+            b.key("ArrowLeft")
+        b.run("document.querySelector('.depth input').value = 99; document.querySelector('.depth input').dispatchEvent(new Event('input'))")
+        b.run("document.querySelector('.controls button:nth-of-type(1)').click()")
+        b.settle()
+        x, y = self.place(".view canvas")
+        for up in range(0, 30, 3):  # from the middle of a hexagon to one of its atoms
+            b.mouse("mouseMoved", x, y - up)
+            b.settle()
+            if self.said(0).startswith("atom"):
+                break
+        self.assertRegex(self.said(0), r"^atom \d+: longest bond [\d.]+ Å, height −[\d.]+ Å$")
+        b.picture(self.pictures / "atoms.png")
+        self.quiet()
+
+    def test_forces_of_the_membrane_are_the_run_s(self):
+        b, summary = self.sheets("bulge")
+        expected = summary["runs"][0]["stress_1_max_eV_per_A3"][-1] * summary["case"]["membrane"]["thickness_A"] * 16.021766
+        told = float(re.match(r"larger principal force up to ([\d.]+) N/m", self.said(0))[1])
+        self.assertAlmostEqual(told / expected, 1, delta=0.006, msg="three digits of 255 steps")
 
     def test_names_of_files_are_no_markup(self):
         b = self.open("fit")

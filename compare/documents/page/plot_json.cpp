@@ -82,7 +82,7 @@ const char* word_of(Along along) { return along == Along::x ? "x" : "y"; }
 
 Json json_of(const Panel& panel) {
   Json json = {{"title", panel.title}, {"x", json_of(panel.x)}, {"y", json_of(panel.y)}};
-  for (const char* list : {"curves", "bars", "zones", "marks"}) json[list] = Json::array();
+  for (const char* list : {"curves", "bars", "zones", "marks", "labels"}) json[list] = Json::array();
   for (const PlotCurve& curve : panel.curves) json["curves"].push_back(json_of(curve));
   for (const StackedBars& bars : panel.bars)
     json["bars"].push_back({{"name", bars.name}, {"colour", hex(bars.colour)}, {"y", rounded(bars.y)}});
@@ -98,6 +98,9 @@ Json json_of(const Panel& panel) {
                              {"at", rounded(mark.at)},
                              {"dash", strokes_of(mark.dash)},
                              {"colour", hex(mark.colour)}});
+  for (const TextLabel& label : panel.labels)
+    json["labels"].push_back(
+        {{"text", label.text}, {"x", rounded(label.x)}, {"y", rounded(label.y)}, {"colour", hex(label.colour)}});
   return json;
 }
 
@@ -106,7 +109,8 @@ Json json_of(const Panel& panel) {
 bool is_chart(const Plot& plot) { return !plot.panels.empty() && std::ranges::none_of(plot.panels, is_map); }
 
 std::string plot_json(const Plot& plot) {
-  Json json = {{"title", plot.title}, {"columns", plot.columns}, {"panels", Json::array()}};
+  Json json = {
+      {"title", plot.title}, {"columns", plot.columns}, {"shares", plot.row_shares}, {"panels", Json::array()}};
   for (const Panel& panel : plot.panels) json["panels"].push_back(json_of(panel));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

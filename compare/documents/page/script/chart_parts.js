@@ -74,6 +74,16 @@ function bar_drawings(panel, x, y) {
                          style: `fill:${tint(bar.colour)};fill-opacity:.85`}))));
 }
 
+/** Words to the right of their places, upwards as far apart as letters are high. */
+function label_drawings(panel, x, y) {
+  const labels = panel.labels.map((label) => ({...label, left: x.place(label.x), middle: y.place(label.y)}));
+  labels.sort((a, b) => b.middle - a.middle);
+  labels.forEach((label, i) => i && (label.middle = Math.min(label.middle, labels[i - 1].middle - 16)));
+  return labels.map(({text, left, middle, colour}) =>
+    drawn("g", {}, drawn("circle", {cx: left + 8, cy: middle, r: 3, style: `fill:${tint(colour)}`}),
+          drawn("text", {x: left + 14, y: middle + 4.5}, text)));
+}
+
 function axis_drawings(panel, box, x, y) {
   const parts = [], text = (words, settings) => parts.push(drawn("text", settings, words));
   const slanted = panel.x.categories.length > 0;

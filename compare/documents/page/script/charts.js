@@ -25,9 +25,23 @@ function sample_of({curve, bars, zone}) {
   return sample;
 }
 
-function panel_svg(panel, width, index, count) {
-  const height = Math.round(Math.min(430, Math.max(260, 0.62 * width))), slanted = panel.x.categories.length > 0;
-  const box = {left: 62, right: width - 12, top: panel.title ? 30 : 12, bottom: height - (slanted ? 68 : 46)};
+/** The largest row is as high as is pleasant, the others by their shares of it. */
+function height_of(plot, index, width) {
+  const whole = Math.min(430, Math.max(260, 0.62 * width)), row = Math.floor(index / plot.columns);
+  const share = plot.shares.length ? plot.shares[row] / Math.max(...plot.shares) : 1;
+  return Math.round(Math.max(190, whole * share));
+}
+
+/** The numbers of the panels, row by row; below one another those that share an axis stay together. */
+function order_of(plot, columns) {
+  const numbers = plot.panels.map((_, i) => i), column = (i) => i % plot.columns;
+  return columns < plot.columns ? numbers.sort((a, b) => column(a) - column(b) || a - b) : numbers;
+}
+
+function panel_svg(plot, index, width) {
+  const panel = plot.panels[index], count = plot.panels.length, height = height_of(plot, index, width);
+  const slanted = panel.x.categories.length > 0, margin = Math.max(0, ...panel.labels.map(({text}) => 7.5 * text.length + 8));
+  const box = {left: 62, right: width - 12 - margin, top: panel.title ? 30 : 12, bottom: height - (slanted ? 68 : 46)};
   const x = scale_of(panel, "x", box.left, box.right), y = scale_of(panel, "y", box.bottom, box.top);
   const label = `${panel.title ? panel.title + ": " : ""}${panel.y.text} against ${panel.x.text}${count > 1 ? `, panel ${index + 1}` : ""}; ` +
                 "arrow keys go through its points";
@@ -38,7 +52,8 @@ function panel_svg(panel, width, index, count) {
   svg.append(...panel.zones.map((zone) => zone_drawing(zone, box, x, y)), ...axis_drawings(panel, box, x, y),
              ...panel.marks.map((mark) => across_drawing(mark, box, x, y)),
              drawn("g", {"clip-path": `url(#${clip})`}, ...bar_drawings(panel, x, y),
-                   ...panel.curves.map((curve) => curve_drawing(curve, x, y))));
+                   ...panel.curves.map((curve) => curve_drawing(curve, x, y))),
+             ...label_drawings(panel, x, y));
   return {svg, targets: targets_of(panel, x, y)};
 }
 
@@ -63,7 +78,7 @@ function legend_list(plot, chart, hidden) {
 /** The chart, as wide as its figure lets it be: drawn again when that changes. */
 function add_chart(figure, plot) {
   const hidden = new Set(), panels = element("div", {class: "panels"}), tip = element("div", {class: "tip", role: "status"});
-  const chart = element("div", {class: "live chart"}, panels, tip);
+  const chart = element("div", {class: "live chart"}, ...(plot.title ? [element("div", {class: "title"}, plot.title)] : []), panels, tip);
   chart.append(legend_list(plot, chart, hidden));
   let drawn_width = 0;
   const draw = () => {
@@ -73,8 +88,8 @@ function add_chart(figure, plot) {
     const columns = Math.max(1, Math.min(plot.columns, Math.floor(width / 360)));
     panels.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
     tip.replaceChildren();
-    panels.replaceChildren(...plot.panels.map((panel, i) => {
-      const {svg, targets} = panel_svg(panel, Math.floor((width - 16 * (columns - 1)) / columns), i, plot.panels.length);
+    panels.replaceChildren(...order_of(plot, columns).map((i) => {
+      const {svg, targets} = panel_svg(plot, i, Math.floor((width - 16 * (columns - 1)) / columns));
       make_askable(svg, chart, tip, targets, (name) => !hidden.has(name));
       return svg;
     }));

@@ -51,6 +51,7 @@ TEST(PlotJson, HoldsWhatIsDrawn) {
                    .line = Line{Dash::dashed, 2}}};
   panel.zones = {{.from = 3, .name = "zone"}};
   panel.marks = {{.along = Along::y, .at = 1}};
+  panel.labels = {{.text = "here", .x = 1, .y = 2, .colour = Colour::green}};
   const json plot = json::parse(plot_json({.panels = {panel}, .columns = 1}));
   const json& drawn = plot["panels"][0];
   EXPECT_EQ(drawn["curves"][0]["name"], "a \"quoted\" name");
@@ -63,6 +64,7 @@ TEST(PlotJson, HoldsWhatIsDrawn) {
   EXPECT_TRUE(drawn["x"]["high"].is_null());
   EXPECT_TRUE(drawn["zones"][0]["to"].is_null()) << "to the panel's end";
   EXPECT_EQ(drawn["marks"][0]["along"], "y");
+  EXPECT_EQ(drawn["labels"][0]["text"], "here");
 }
 
 TEST(PlotJson, MapsAreNoCharts) {
