@@ -7,6 +7,7 @@
 
 #include "compare/documents/bytes/html.hpp"
 #include "compare/documents/plots/explanation_bars.hpp"
+#include "compare/documents/sentences/shown_units.hpp"
 #include "compare/documents/texts/breaking_text.hpp"
 #include "compare/documents/texts/ladder.hpp"
 #include "compare/documents/texts/numbers.hpp"
@@ -51,9 +52,7 @@ std::string verdict(const Result& result) {
 }
 
 std::string heading(const Result& result) {
-  std::string text = fmt::format("<h1>{}, R = {:g} Å</h1>\n",
-                                 html::escaped(result.card || result.sheet ? result.resolved.potential : "membrane"),
-                                 result.resolved.radius_A);
+  std::string text = "<h1>" + html::escaped(experiment_title(result)) + "</h1>\n";
   if (const auto& card = result.card)
     text += fmt::format(
         "<p class=\"soft\">Potential card: a<sub>0</sub> = {:.5f} Å, E·h = {:.1f} N/m ({:.3f} eV/Å²), ν = "
@@ -188,6 +187,12 @@ bool is_indented(const Result& result) {
 }
 
 }  // namespace
+
+std::string experiment_title(const Result& result) {
+  std::string size = shown_units(result.resolved).length.text(result.resolved.radius_A);
+  if (const auto blank = size.find(' '); blank != std::string::npos) size.replace(blank, 1, "\u00a0");
+  return fmt::format("{}, R = {}", result.card || result.sheet ? result.resolved.potential : "membrane", size);
+}
 
 std::string experiment_verdict(const Result& result) {
   return heading(result) +

@@ -7,6 +7,9 @@
 
 namespace validate {
 
+/// What was compared, in the units that people are shown; text, not markup.
+std::string experiment_title(const Result& result);
+
 /// Heading and verdict.
 std::string experiment_verdict(const Result& result);
 

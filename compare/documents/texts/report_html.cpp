@@ -98,7 +98,7 @@ std::string report_html(const Result& result, const std::vector<ReportFigure>& f
                 data_of(figures));
   const std::string first = figures.empty() ? "<p class=\"soft\">No figures; the data are in curves.csv.</p>\n"
                                             : figure_html(figures.front(), 0);
-  return page(fmt::format("validate: {}, R = {:g} Å", result.resolved.potential, result.resolved.radius_A),
+  return page("validate: " + experiment_title(result),
               experiment_verdict(result) + first + experiment_tables(result) + figures_html(figures, 1) +
                   experiment_details(result) + provenance(result),
               data_of(figures));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "compare/documents/bytes/html.hpp"
@@ -129,50 +128,6 @@ std::string batch(const Result& result) {
                      rows, {3, 9});
 }
 
-std::string published(const Result& result) {
-  Rows rows;
-  for (const PublishedRow& row : result.beside) {
-    const auto relative = difference(row), z = z_score(row);
-    rows.push_back({row.name, row.of, number(row.ours, "{:.6g}"),
-                    (row.relation == Relation::equal ? "" : fmt::format("{} ", row.relation)) +
-                        number(row.published, "{:.6g}") +
-                        (row.uncertainty ? fmt::format(" ± {:.4g}", *row.uncertainty) : ""),
-                    row.unit, relative ? number(100 * *relative, "{:+.2f}") : "-", z ? number(*z, "{:+.1f}") : "-",
-                    row.comparable ? "yes" : "no: " + row.reason, row.source + "; " + row.conditions});
-  }
-  return html::table(
-      {"published number", "of", "ours", "published", "unit", "difference (%)", "z", "comparable", "source"}, rows,
-      {1, 4, 7, 8});
-}
-
-std::string verification(const Result& result) {
-  Rows rows;
-  for (const VerificationRow& row : result.rows)
-    rows.push_back({row.group, row.name, row.quantity, number(row.computed, "{:.8g}"),
-                    std::string(to_string(row.relation)), number(row.reference, "{:.8g}"),
-                    number(row.relative_error, "{:.1e}"), number(row.tolerance, "{:.1e}"),
-                    row.pass ? "passed" : "FAILED", row.origin});
-  return fmt::format("<p>{} passed, {} failed.</p>\n", result.passed, result.failed) +
-         html::table({"group", "case", "quantity", "computed", "", "reference", "error", "tolerance", "outcome",
-                      "reference from"},
-                     rows, {1, 2, 9});
-}
-
-std::string paper_figures(const Result& result) {
-  std::string text;
-  for (const FigureResult& figure : result.figures) {
-    Rows rows;
-    for (const FigureNumber& n : figure.numbers)
-      rows.push_back({n.what, number(n.ours, "{:.6g}"), number(n.reference, "{:.6g}"), n.unit,
-                      n.tolerance > 0 ? number(100 * n.tolerance, "{:g}") : "-",
-                      n.source + (n.comment.empty() ? "" : "; " + n.comment)});
-    text += heading(2, fmt::format("Figure {}: {}", figure.number, figure.title)) +
-            html::table({"number", "ours", "reference", "unit", "tolerance (%)", "source"}, rows, {3, 5});
-    for (const std::string& remark : figure.remarks) text += "<p>" + html::escaped(remark) + "</p>\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string tables_of(const Result& result) {
@@ -183,14 +138,11 @@ std::string tables_of(const Result& result) {
       return card(result);
     case Command::batch:
       return batch(result);
-    case Command::published:
-      return published(result);
-    case Command::verify:
-      return verification(result);
-    case Command::figure:
-      return paper_figures(result);
     case Command::indentation:
     case Command::bulge:
+    case Command::figure:
+    case Command::verify:
+    case Command::published:
     case Command::curve:
     case Command::design:
       return {};

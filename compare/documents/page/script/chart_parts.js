@@ -74,6 +74,17 @@ function bar_drawings(panel, x, y) {
                          style: `fill:${tint(bar.colour)};fill-opacity:.85`}))));
 }
 
+/** A title in lines that are hardly longer than the panel is wide. */
+function title_lines(title, width) {
+  const lines = [];
+  for (const word of title.split(" ").filter((each) => each)) {
+    const longer = lines.length ? `${lines[lines.length - 1]} ${word}` : word;
+    if (lines.length && 7.6 * longer.length <= width) lines[lines.length - 1] = longer;
+    else lines.push(word);
+  }
+  return lines;
+}
+
 /** Words to the right of their places, upwards as far apart as letters are high. */
 function label_drawings(panel, x, y) {
   const labels = panel.labels.map((label) => ({...label, left: x.place(label.x), middle: y.place(label.y)}));
@@ -101,7 +112,8 @@ function axis_drawings(panel, box, x, y) {
   parts.push(drawn("path", {d: `M${box.left},${box.top}V${box.bottom}H${box.right}`, fill: "none", style: "stroke:var(--ink)"}));
   text(panel.x.text, {x: (box.left + box.right) / 2, y: box.bottom + (slanted ? 58 : 36), "text-anchor": "middle"});
   text(panel.y.text, {transform: `translate(14,${(box.top + box.bottom) / 2})rotate(-90)`, "text-anchor": "middle"});
-  if (panel.title) text(panel.title, {class: "name", x: box.left, y: box.top - 8});
+  const lines = title_lines(panel.title, box.right - box.left);
+  lines.forEach((words, i) => text(words, {class: "name", x: box.left, y: box.top - 8 - 16 * (lines.length - 1 - i)}));
   return parts;
 }
 

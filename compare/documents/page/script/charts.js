@@ -40,8 +40,10 @@ function order_of(plot, columns) {
 
 function panel_svg(plot, index, width) {
   const panel = plot.panels[index], count = plot.panels.length, height = height_of(plot, index, width);
-  const slanted = panel.x.categories.length > 0, margin = Math.max(0, ...panel.labels.map(({text}) => 7.5 * text.length + 8));
-  const box = {left: 62, right: width - 12 - margin, top: panel.title ? 30 : 12, bottom: height - (slanted ? 68 : 46)};
+  const slanted = panel.x.categories.length > 0;
+  const margin = Math.max(0, ...plot.panels.flatMap(({labels}) => labels.map(({text}) => 7.5 * text.length + 8)));  // axes of one length
+  const right = width - 12 - margin, titles = title_lines(panel.title, right - 62).length;
+  const box = {left: 62, right, top: titles ? 14 + 16 * titles : 12, bottom: height - (slanted ? 68 : 46)};
   const x = scale_of(panel, "x", box.left, box.right), y = scale_of(panel, "y", box.bottom, box.top);
   const label = `${panel.title ? panel.title + ": " : ""}${panel.y.text} against ${panel.x.text}${count > 1 ? `, panel ${index + 1}` : ""}; ` +
                 "arrow keys go through its points";

@@ -37,13 +37,16 @@ function stacks_of(panel) {
   });
 }
 
-/** Some `count` multiples of 1, 2 or 5 times a power of ten. */
+/** Some `count` multiples of 1, 2 or 5 times a power of ten, three at least. */
 function even_ticks(low, high, count) {
-  const rough = (high - low) / Math.max(count, 1), power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((times) => times * power).find((each) => each >= rough) ?? 10 * power;
-  const ticks = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
-  return ticks;
+  const power = 10 ** Math.floor(Math.log10((high - low) / count)), steps = [10, 5, 2, 1, 0.5, 0.2, 0.1].map((times) => times * power);
+  const multiples = (step) => {
+    const ticks = [];
+    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) ticks.push(k * step);
+    return ticks;
+  };
+  const coarse = steps.findLast((step) => step >= (1 - 1e-9) * ((high - low) / count));
+  return multiples(steps.slice(steps.indexOf(coarse)).find((step) => multiples(step).length >= 3));
 }
 
 function logarithmic_ticks(low, high, count) {
