@@ -92,7 +92,9 @@ bool measure_flat_tension(std::vector<PairedLoad>& loads, const PotentialCard& c
     load.atoms->run.rim_tension_eV_per_A2 = flat[0].inside;
     for (ContinuumExperiment& e : load.continua) {
       e.run.rim_tension_eV_per_A2 = flat[0].inside;
-      e.problem.edge = edge;
+      // The stiffness is that of a flat sheet, where the edge's strain and the tension go together: it also holds how
+      // far the lattice ends beyond its rim, and says nothing of a rim that is drawn in while the tension rises.
+      e.problem.edge = {flat[0].edge(radius), 0};
     }
   }
   return true;

@@ -17,8 +17,9 @@ double strain_inside(const atomistic::Sheet& sheet, const Eigen::VectorXd& posit
 
 /// Lets the atoms settle under the rim's force, and a larger one, and next to no load, and reads the tensions inside
 /// from their bonds by the potential's own law (its constants, where there is none). What is missing there of the
-/// applied tension, times the radius, is the force of the edge: its stress and stiffness are given to the continua and
-/// written into the result's sheet. False, and the failure in the outcome, where the atoms do not settle.
+/// applied tension, times the radius, is the force of the edge: at the applied tension it is given to the continua, its
+/// stress and stiffness in the flat sheet are written into the result's. False, and the failure in the outcome, where
+/// the atoms do not settle.
 bool measure_flat_tension(std::vector<PairedLoad>& loads, const PotentialCard& card, const StudyOptions& options,
                           StudyOutcome& outcome, Progress& progress);
 
