@@ -1,7 +1,6 @@
 #include "compare/figures/square.hpp"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -41,22 +40,19 @@ PlotCurve wrinkled_outline(const SheetPicture& square, SeenOver over) {
   PlotCurve curve{.name = "wrinkled zone", .x = {}, .y = {}, .colour = Colour::white};
   curve.line = Line{.width = 1};
   curve.strokes = true;
-  const std::vector<double>& state = column(square.triangles, "state");
-  std::map<std::pair<int, int>, int> wrinkled_sides;  // how many wrinkled triangles a side has
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    if (state[i] != 1) continue;
-    const auto& n = square.mesh.triangles[i].nodes;
-    for (int a = 0; a < 3; ++a)
-      ++wrinkled_sides[std::pair(std::min(n[a], n[(a + 1) % 3]), std::max(n[a], n[(a + 1) % 3]))];
-  }
-  for (const auto& [side, count] : wrinkled_sides) {
-    if (count != 1) continue;
-    for (const int node : {side.first, side.second}) {
-      const Eigen::Vector2d place = place_of(square, node, over);
+  std::vector<double> wrinkled = column(square.triangles, "state");
+  for (double& state : wrinkled) state = state == 1;
+  const std::vector<double> share = at_nodes(square, wrinkled);
+  for (const auto& triangle : square.mesh.triangles)
+    for (int a = 0; a < 3; ++a) {
+      const int here = triangle.nodes[a], next = triangle.nodes[(a + 1) % 3];
+      const double s = share[static_cast<std::size_t>(here)], e = share[static_cast<std::size_t>(next)];
+      if ((s < 0.5) == (e < 0.5)) continue;
+      const Eigen::Vector2d place = place_of(square, here, over) +
+                                    (0.5 - s) / (e - s) * (place_of(square, next, over) - place_of(square, here, over));
       curve.x.push_back(place.x());
       curve.y.push_back(place.y());
     }
-  }
   return curve;
 }
 

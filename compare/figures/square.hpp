@@ -16,7 +16,7 @@ std::vector<SheetPicture> solved_levels(const membrane::Problem& problem, double
 /// How far the edges have come inwards, at most.
 double largest_pull_in_A(const SheetPicture& square);
 
-/// The sides between a wrinkled triangle and one that is not, and those of wrinkled triangles on the edge of the sheet.
+/// Where half of the triangles around are wrinkled, by area: strokes, one a triangle that the line crosses.
 PlotCurve wrinkled_outline(const SheetPicture& square, SeenOver over);
 
 /// A map's panel without its field.

@@ -91,10 +91,25 @@ bool shares_axis_below(const Plot& plot, std::size_t panel) {
   return !plot.row_shares.empty() && panel + static_cast<std::size_t>(plot.columns) < plot.panels.size();
 }
 
-std::string letter(const Plot& plot, std::size_t panel) {
+std::string letter(const Plot& plot, std::size_t panel, bool oblique) {
   if (plot.panels.size() < 2) return {};
+  if (oblique) {
+    const Cell cell = cell_of(plot, panel);
+    return fmt::format("set label '{}' at screen {:.4f},{:.4f} font 'DejaVu Sans Bold,13'\n",
+                       static_cast<char>('a' + panel),
+                       (static_cast<double>(cell.column) + 0.11) / static_cast<double>(plot.columns),
+                       1 - (static_cast<double>(cell.row) + 0.11) / static_cast<double>(cell.rows));
+  }
   return fmt::format("set label '{}' at graph 0,1 offset character -2.6,0.7 font 'DejaVu Sans Bold,13'\n",
                      static_cast<char>('a' + panel));
+}
+
+std::string colour_box(const Plot& plot, std::size_t panel) {
+  const Cell cell = cell_of(plot, panel);
+  const auto columns = static_cast<double>(plot.columns), rows = static_cast<double>(cell.rows);
+  return fmt::format("set colorbox vertical user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
+                     (static_cast<double>(cell.column) + 0.82) / columns,
+                     1 - (static_cast<double>(cell.row) + 0.65) / rows, 0.03 / columns, 0.4 / rows);
 }
 
 std::string caption_commands(const Plot& plot) {

@@ -17,8 +17,11 @@ std::string row_place(const Plot&, std::size_t panel);
 /// Whether another panel stands below that has the x axis of both.
 bool shares_axis_below(const Plot&, std::size_t panel);
 
-/// The panel's letter, where there are several.
-std::string letter(const Plot&, std::size_t panel);
+/// The panel's letter, where there are several. Obliquely seen ones have no graph to place it by.
+std::string letter(const Plot&, std::size_t panel, bool oblique);
+
+/// The colour bar of an obliquely seen panel, which has no graph to stand beside.
+std::string colour_box(const Plot&, std::size_t panel);
 
 /// The caption's lines, below all panels.
 std::string caption_commands(const Plot&);

@@ -164,6 +164,11 @@ std::string zones_and_marks(const Panel& panel) {
   return text;
 }
 
+/// Whether the panel's sheet is seen obliquely.
+bool is_oblique(const Panel& panel) {
+  return std::ranges::any_of(panel.maps, [](const TriangleMap& map) { return !map.height.empty(); });
+}
+
 std::string colour_commands(const Panel& panel) {
   std::string colours, tics;
   if (!panel.scale.classes.empty()) {
@@ -181,14 +186,10 @@ std::string colour_commands(const Panel& panel) {
   std::string over;  // the colours' last one stands for all that is beyond
   if (panel.scale.high && values.known() && values.high > 1.01 * range.high)
     over = fmt::format("set cbtics add ('≥ {:.3g}' {:.6g})\n", range.high, range.high);
+  const std::string label = gnuplot_quoted(panel.scale.label);
   return fmt::format(
-      "set palette defined ({}) maxcolors 0\nset cbrange [{:.6g}:{:.6g}]\n{}set label {} at graph 1.05,1.06\n", colours,
-      range.low, range.high, over, gnuplot_quoted(panel.scale.label));
-}
-
-/// Whether the panel's sheet is seen obliquely.
-bool is_oblique(const Panel& panel) {
-  return std::ranges::any_of(panel.maps, [](const TriangleMap& map) { return !map.height.empty(); });
+      "set palette defined ({}) maxcolors 0\nset cbrange [{:.6g}:{:.6g}]\n{}{}\n", colours, range.low, range.high, over,
+      is_oblique(panel) ? "set cblabel " + label : fmt::format("set label {} at graph 1.05,1.06", label));
 }
 
 std::string splot(const Plot& plot, std::size_t p) {
@@ -200,20 +201,17 @@ std::string splot(const Plot& plot, std::size_t p) {
     if (!panel.curves[c].x.empty())
       clauses.push_back(fmt::format("{} using 1:2:(0){} with {} notitle", curve_block(p, c),
                                     panel.curves[c].value.empty() ? "" : ":3", style(panel.curves[c])));
+  const std::string drawn = colour_commands(panel) + fmt::format("splot {}\n", fmt::join(clauses, ", \\\n     "));
   if (is_oblique(panel))
-    return map_place(plot, p) + colour_commands(panel) +
-           fmt::format(
-               "set pm3d depthorder corners2color c1 @map_border\nset view 62,30,1.25\nset view equal xyz\nset xyplane "
-               "0\n"
-               "unset key\nunset border\nunset xtics\nunset ytics\nunset ztics\nunset xlabel\nunset ylabel\n"
-               "splot {}\n",
-               fmt::join(clauses, ", \\\n     "));
+    return map_place(plot, p) +
+           "set pm3d depthorder corners2color c1 @map_border\nset view 60,30,1.0\nset view equal xyz\n"
+           "set xyplane 0\nunset key\nunset border\nunset xtics\nunset ytics\nunset ztics\nunset xlabel\n"
+           "unset ylabel\n" +
+           colour_box(plot, p) + drawn;
   return map_place(plot, p) +
-         "set pm3d map corners2color c1 scansbackward @map_border\nunset key\nset border 31 lw 0.5\nset xlabel offset "
-         "0,0.4\nset "
-         "ylabel offset "
-         "1,0\n" +
-         colour_commands(panel) + fmt::format("splot {}\n", fmt::join(clauses, ", \\\n     "));
+         "set pm3d map corners2color c1 scansbackward @map_border\nunset key\nset border 31 lw 0.5\n"
+         "set xlabel offset 0,0.4\nset ylabel offset -0.5,0\n" +
+         drawn;
 }
 
 std::string legend_commands(Legend legend) {
@@ -262,7 +260,8 @@ std::string panel_commands(const Plot& plot, std::size_t index) {
   text += axis_commands(panel, panel.x, 'x', few_tics) + axis_commands(panel, panel.y, 'y', few_tics);
   if (shares_axis_below(plot, index)) text += "unset xlabel\nset format x ''\n";
   if (panel.equal_axes) text += "set size ratio -1\n";
-  text += zones_and_marks(panel) + words_in_panel(panel) + letter(plot, index) + row_place(plot, index);
+  text +=
+      zones_and_marks(panel) + words_in_panel(panel) + letter(plot, index, is_oblique(panel)) + row_place(plot, index);
   if (index + 1 == plot.panels.size()) text += caption_commands(plot);
   return text + (is_map(panel) ? splot(plot, index) : plot_in_two_dimensions(panel, index));
 }

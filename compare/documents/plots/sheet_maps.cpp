@@ -56,20 +56,24 @@ TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, c
   return map;
 }
 
+std::vector<double> at_nodes(const SheetPicture& picture, const std::vector<double>& of_triangles) {
+  std::vector<double> sum(picture.mesh.nodes.size(), 0), area(picture.mesh.nodes.size(), 0);
+  for (std::size_t t = 0; t < of_triangles.size(); ++t) {
+    const membrane::Triangle& triangle = picture.mesh.triangles[t];
+    for (const int node : triangle.nodes) {
+      sum[static_cast<std::size_t>(node)] += triangle.area_A2 * of_triangles[t];
+      area[static_cast<std::size_t>(node)] += triangle.area_A2;
+    }
+  }
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] /= area[n];
+  return sum;
+}
+
 TriangleMap recovered_map(const SheetPicture& picture, const std::string& name, const std::string& key, SeenOver over) {
   TriangleMap map = triangle_map(picture, name, key, over);
-  std::vector<double> sum(picture.mesh.nodes.size(), 0), area(picture.mesh.nodes.size(), 0);
-  const auto& triangles = picture.mesh.triangles;
-  const auto at = [&](const membrane::Triangle& triangle, int a) {
-    return static_cast<std::size_t>(triangle.nodes[a]);
-  };
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int a = 0; a < 3; ++a) {
-      sum[at(triangles[t], a)] += triangles[t].area_A2 * map.value[t];
-      area[at(triangles[t], a)] += triangles[t].area_A2;
-    }
-  for (const auto& triangle : triangles) {
-    const auto value = [&](int a) { return sum[at(triangle, a)] / area[at(triangle, a)]; };
+  const std::vector<double> nodal = at_nodes(picture, map.value);
+  for (const auto& triangle : picture.mesh.triangles) {
+    const auto value = [&](int a) { return nodal[static_cast<std::size_t>(triangle.nodes[a])]; };
     map.at_corners.push_back({value(0), value(1), value(2)});
   }
   return map;

@@ -21,6 +21,9 @@ TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, c
 TriangleMap recovered_map(const SheetPicture& picture, const std::string& name, const std::string& key,
                           SeenOver over = SeenOver::deformed);
 
+/// A quantity of the triangles at the nodes: the mean of those around, by area.
+std::vector<double> at_nodes(const SheetPicture& picture, const std::vector<double>& of_triangles);
+
 /// Puts the deformed sheet's heights to a map: it is then seen obliquely.
 void raise(TriangleMap& map, const SheetPicture& picture);
 

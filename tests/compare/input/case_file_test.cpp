@@ -46,6 +46,15 @@ pressures = ["160.2176634 GPa", 0.5]
 pretension = "16.02176634 mN/m"
 models = "membrane"
 units = "laboratory"
+rim = "sliding"
+rim-tension = "16.02176634 mN/m"
+relaxed = true
+temperature = "300 K"
+statistics = "quantum"
+modes = 4
+sample = "20 ps"
+error = "1 %"
+seed = 7
 [membrane]
 E = "160.2176634 GPa"
 thickness = "0.335 nm"
@@ -123,7 +132,7 @@ regime-tolerance = 0.05
   });
   EXPECT_EQ(static_cast<int>(origins_.size()), fields);
   EXPECT_EQ(origins_.at("radius"), (folder_.path() / "case.toml").string() + ":3: radius");
-  EXPECT_EQ(origins_.at("nu"), (folder_.path() / "case.toml").string() + ":19: nu");
+  EXPECT_EQ(origins_.at("nu"), (folder_.path() / "case.toml").string() + ":28: nu");
 }
 
 TEST_F(CaseFile, KeepsWhatItDoesNotGive) {

@@ -95,9 +95,7 @@ TEST(Check, HugeSheetsOfAtoms) {
   auto membrane_only = huge;
   membrane_only.models = Models::membrane;
   EXPECT_TRUE(check(membrane_only).empty());
-  const auto warnings = check(changed([](Case& c) { c.radius_A = 1000; }));
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("1.2 million atoms"), std::string::npos) << warnings[0];
+  EXPECT_TRUE(check(changed([](Case& c) { c.radius_A = 1000; })).empty());  // whether it fits is known at the start
 }
 
 TEST(Check, GivenConstantsAreOfAnySize) {

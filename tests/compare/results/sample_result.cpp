@@ -155,7 +155,15 @@ LawSummary law() {
 Result full() {
   Result result;
   result.law = law();
-  result.sheet = SheetSummary{110, a_A, 0.6, 0.1, 0.1, 0.1, 17244, 15000, 126};
+  result.sheet = SheetSummary{.radius_A = 110,
+                              .effective_radius_A = a_A,
+                              .slope_margin_A = 0.6,
+                              .clamp_radius_error_A = 0.1,
+                              .slope_margin_error_A = 0.1,
+                              .tip_radius_error_A = 0.1,
+                              .atoms = 17244,
+                              .free_atoms = 15000,
+                              .loaded_disc_atoms = 126};
   result.card = airebo_card();
   result.runs = {
       atomistic_run(LoadKind::point, 1.10, 0.0145),          atomistic_run(LoadKind::disc, 1.45, 0.0095),

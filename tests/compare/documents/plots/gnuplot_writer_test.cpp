@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 #include "compare/documents/plots/gnuplot_data.hpp"
 
@@ -99,10 +102,10 @@ TEST(GnuplotWriter, AQuarterIsDrawnWithItsMirrorImages) {
   Panel one = panel();
   one.maps = {{.name = "m", .key = "m_A", .corners = {{{{0, 0}, {2, 0}, {2, 1}}}}, .value = {7}}};
   EXPECT_EQ(gnuplot_data({.panels = {one}}),
-            "$p0m0 << EOD\n0 0 7\n2 0 7\nNaN NaN NaN\n\n2 1 7\n2 1 7\nNaN NaN NaN\nEOD\n");
+            "$p0m0 << EOD\n0 0 0 7\n2 0 0 7\nNaN NaN NaN NaN\n\n2 1 0 7\n2 1 0 7\nNaN NaN NaN NaN\nEOD\n");
   one.maps[0].quarter = true;
   const std::string data = gnuplot_data({.panels = {one}});
-  for (const char* corner : {"2 1 7", "-2 1 7", "2 -1 7", "-2 -1 7"}) expect(data, {corner});
+  for (const char* corner : {"2 1 0 7", "-2 1 0 7", "2 -1 0 7", "-2 -1 0 7"}) expect(data, {corner});
 }
 
 TEST(GnuplotWriter, NeighboursOfOneColourAreDrawnAtOnce) {
@@ -111,13 +114,49 @@ TEST(GnuplotWriter, NeighboursOfOneColourAreDrawnAtOnce) {
                .key = "m_A",
                .corners = {{{{0, 0}, {2, 0}, {2, 1}}}, {{{2, 1}, {0, 0}, {0, 1}}}, {{{5, 0}, {7, 0}, {7, 1}}}},
                .value = {7, 7, 8}}};
-  const std::string gap = "NaN NaN NaN\n";
-  EXPECT_EQ(gnuplot_data({.panels = {one}}), "$p0m0 << EOD\n2 0 7\n2 1 7\n" + gap + "5 0 8\n7 0 8\n" + gap +
-                                                 "\n0 0 7\n0 1 7\n" + gap + "7 1 8\n7 1 8\n" + gap + "EOD\n");
+  const std::string gap = "NaN NaN NaN NaN\n";
+  EXPECT_EQ(gnuplot_data({.panels = {one}}), "$p0m0 << EOD\n2 0 0 7\n2 1 0 7\n" + gap + "5 0 0 8\n7 0 0 8\n" + gap +
+                                                 "\n0 0 0 7\n0 1 0 7\n" + gap + "7 1 0 8\n7 1 0 8\n" + gap + "EOD\n");
   one.maps[0].value = {7, 7.01, 8};  // more than half a colour apart
-  EXPECT_NE(gnuplot_data({.panels = {one}}).find("2 1 7.01\n0 0 7.01\n"), std::string::npos);
+  EXPECT_NE(gnuplot_data({.panels = {one}}).find("2 1 0 7.01\n0 0 0 7.01\n"), std::string::npos);
   one.maps[0].value = {7, 7, 7};  // of one colour, but the last is apart
-  EXPECT_NE(gnuplot_data({.panels = {one}}).find("5 0 7\n7 0 7\n"), std::string::npos);
+  EXPECT_NE(gnuplot_data({.panels = {one}}).find("5 0 0 7\n7 0 0 7\n"), std::string::npos);
+}
+
+/// Between the corners a value is linear: a triangle from 0 to 2 is parted where a band of the scale 0 … 2 ends.
+TEST(GnuplotWriter, ValuesAtCornersAreDrawnInBandsThatCoverTheTriangle) {
+  Panel one = panel();
+  one.maps = {{.name = "m", .key = "m_A", .corners = {{{{0, 0}, {16, 0}, {0, 1}}}}, .value = {1}}};
+  one.maps[0].at_corners = {{0, 2, 0}};
+  one.scale = {.low = 0, .high = 2};
+  std::istringstream rows(gnuplot_data({.panels = {one}}));
+  std::vector<std::array<double, 4>> points;
+  for (std::string line; std::getline(rows, line);) {
+    std::array<double, 4> p{};
+    std::istringstream numbers(line);
+    if (numbers >> p[0] >> p[1] >> p[2] >> p[3]) points.push_back(p);
+  }
+  ASSERT_EQ(points.size() % 4, 0u);
+  const std::size_t pieces = points.size() / 4;
+  ASSERT_EQ(pieces, 16u);
+  double area = 0;
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const auto &a = points[2 * k], &b = points[2 * k + 1], &d = points[2 * (pieces + k)],
+               &c = points[2 * (pieces + k) + 1];
+    area += 0.5 * std::abs((c[0] - a[0]) * (d[1] - b[1]) - (d[0] - b[0]) * (c[1] - a[1]));
+    EXPECT_NEAR(a[3], (static_cast<double>(k) + 0.5) / 8, 1e-5) << "the middle of its band";
+    for (const auto& corner : {a, b, c, d}) EXPECT_NEAR(corner[0] / 8, a[3], 1.0 / 16 + 1e-5);
+  }
+  EXPECT_NEAR(area, 8, 1e-4);
+}
+
+TEST(GnuplotWriter, ABarThatEndsBelowTheLargestValueSaysSo) {
+  Panel one = panel();
+  one.maps = {{.name = "m", .key = "m_A", .corners = {{{{0, 0}, {2, 0}, {2, 1}}}}, .value = {4.32}}};
+  one.scale = {.label = "eV/Å³", .low = 0.125, .high = 0.65};
+  expect(script({.panels = {one}}), {"set cbtics add ('≥ 0.65' 0.65)"});
+  one.scale.high = 5;
+  EXPECT_EQ(script({.panels = {one}}).find("≥"), std::string::npos);
 }
 
 TEST(GnuplotWriter, MapsHaveAColourBar) {
@@ -128,11 +167,10 @@ TEST(GnuplotWriter, MapsHaveAColourBar) {
   classes.curves = {{.name = "atoms", .x = {0}, .y = {0}, .value = {1}, .points = Points{}}};
   classes.scale.classes = {{"taut", Colour::sky}, {"slack", Colour::grey}};
   const std::string text = script({.title = "both", .panels = {range, classes}, .columns = 2});
-  expect(text,
-         {"set multiplot layout 1,2 title 'both' font ',14'", "set cbrange [-1:7]", "set label 'N/m'",
-          "splot $p0m0 using 1:2:(0):3 with pm3d notitle, \\\n     $p0c0 using 1:2:(0) with lines lc rgb '#ffffff'",
-          "set palette defined (0 '#56B4E9', 1 '#999999') maxcolors 2", "set cbtics ('taut' 0, 'slack' 1)",
-          "splot $p1c0 using 1:2:(0):3 with points lc palette pt 7", "$p0c0 << EOD\n0 0\n1 1\n\n\nEOD\n"});
+  expect(text, {"set multiplot layout 1,2 title 'both' font ',14'", "set cbrange [-1:7]", "set label 'N/m'",
+                "splot $p0m0 using 1:2:3:4 with pm3d notitle, \\\n     $p0c0 using 1:2:(0) with lines lc rgb '#ffffff'",
+                "set palette defined (0 '#56B4E9', 1 '#999999') maxcolors 2", "set cbtics ('taut' 0, 'slack' 1)",
+                "splot $p1c0 using 1:2:(0):3 with points lc palette pt 7", "$p0c0 << EOD\n0 0\n1 1\n\n\nEOD\n"});
 }
 
 }  // namespace
