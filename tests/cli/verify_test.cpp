@@ -15,8 +15,8 @@ using nlohmann::json;
 
 TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
   const WorkFolder folder;
-  const Outcome outcome =
-      run_validate({"verify", "membrane", "--group", "patch", "--out", "out", "--json", "rows.json"}, folder.path());
+  const Outcome outcome = run_validate(
+      {"verify", "membrane", "--group", "patch", "--out", "out", "--json", "rows.json", "--wide"}, folder.path());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_NE(outcome.err.find("patch: "), std::string::npos) << outcome.err;
   std::ifstream file(folder.path() / "rows.json");
@@ -48,7 +48,7 @@ TEST(VerifyCommand, WritesTheRowsAsTableCsvAndJson) {
   while (std::getline(csv, line)) ++lines;
   EXPECT_EQ(lines, rows);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "verify.json"));
-  EXPECT_NE(outcome.out.find("closed form: (l1^2-1)/2"), std::string::npos) << "origins are printed";
+  EXPECT_NE(outcome.out.find("closed form: (l1^2-1)/2"), std::string::npos) << "origins are printed with --wide";
 }
 
 TEST(VerifyCommand, JsonOnStdoutIsNothingElse) {

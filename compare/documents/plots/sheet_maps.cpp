@@ -1,6 +1,7 @@
 #include "compare/documents/plots/sheet_maps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -14,6 +15,12 @@ double half_side(const SheetPicture& picture) {
   double size = 0;
   for (const auto& X : picture.mesh.nodes) size = std::max(size, X.lpNorm<Eigen::Infinity>());
   return size;
+}
+
+double flat_area(const SheetPicture& picture, const std::array<int, 3>& nodes) {
+  const auto at = [&](int a) { return picture.mesh.nodes[static_cast<std::size_t>(nodes[a])]; };
+  const Eigen::Vector2d u = at(1) - at(0), v = at(2) - at(0);
+  return std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
 }
 
 Panel stress_panel(const SheetPicture& picture, const std::string& title, const std::string& key) {
@@ -59,10 +66,11 @@ TriangleMap triangle_map(const SheetPicture& picture, const std::string& name, c
 std::vector<double> at_nodes(const SheetPicture& picture, const std::vector<double>& of_triangles) {
   std::vector<double> sum(picture.mesh.nodes.size(), 0), area(picture.mesh.nodes.size(), 0);
   for (std::size_t t = 0; t < of_triangles.size(); ++t) {
-    const membrane::Triangle& triangle = picture.mesh.triangles[t];
-    for (const int node : triangle.nodes) {
-      sum[static_cast<std::size_t>(node)] += triangle.area_A2 * of_triangles[t];
-      area[static_cast<std::size_t>(node)] += triangle.area_A2;
+    const auto& nodes = picture.mesh.triangles[t].nodes;
+    const double own = flat_area(picture, nodes);  // a picture that was read has none of its own
+    for (const int node : nodes) {
+      sum[static_cast<std::size_t>(node)] += own * of_triangles[t];
+      area[static_cast<std::size_t>(node)] += own;
     }
   }
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] /= area[n];
