@@ -112,6 +112,7 @@ void LoadCurves::add_atoms(const Run& run) {
                      .colour = colour_of_atoms};
   points.open = true;
   artefact.points = points;
+  artefact.in_legend = false;  // the zone that they lie in is
   for (std::size_t i = 0; i < run.depth_A.size(); ++i)
     if (run.atoms().artefact[i] && run.converged[i]) add_point(artefact, run.depth_A[i], run.force_eV_per_A[i]);
   for (PlotCurve* curve : {&usable, &artefact})
@@ -175,7 +176,7 @@ Panel LoadCurves::panel() const {
     if (const auto first = first_artefact(run); run.load == load_ && first)
       panel.zones.push_back({.from = shown_.length.of(run.depth_A[*first]),
                              .colour = Colour::dark_grey,
-                             .name = "artefact zone",
+                             .name = fmt::format("artefact zone, bond ≥ {:.2f} Å", artefact_bond_of(result_)),
                              .edge = true});
   name_ends(panel);
   return panel;
