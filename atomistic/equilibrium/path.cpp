@@ -180,6 +180,8 @@ void Path::take_over(const std::vector<Step>& finished) {
   if (finished.empty()) return;
   load_->set_level(factorised_level);
   factorise(shared_ ? shared_->part_of_step(finished.back()).factorised_at : finished.back().factorised_at);
+  preconditioner_.constraint_response(
+      load_->constraint());  // as the level that made the factor did: its solve, not ours
 }
 
 /// What the next levels use: the state, and how well the factor has served.
