@@ -45,7 +45,7 @@ TEST(Figure, ThreeAndFourAreMade) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   }
   expect_complete(folder.path() / "f", "figure3", {"point load", "disc of 10 Å", "larger_principal_stress_eV_per_A3"});
-  EXPECT_LT(text(folder.path() / "f" / "figure4.svg").size(), 2e6);
+  EXPECT_LT(text(folder.path() / "f" / "figure4.svg").size(), 1.5e6);
   expect_complete(folder.path() / "f", "figure4", {"smaller_principal_stress_eV_per_A3", "tension rays", "state"});
 }
 

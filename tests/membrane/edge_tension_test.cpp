@@ -110,8 +110,8 @@ TEST(EdgeTension, AnEdgeOfItsOwnChangesTheTensionInside) {
 
 TEST(EdgeTension, ForceIsTheSlopeOfTheEnergyWithAnEdgeToo) {
   const std::vector<double> levels = {5, 10, 15, 19.98, 20, 20.02};
-  // Where the sheet is wrinkled it has no stiffness along its edge: of triangles a line that softens would gather all
-  // its shortening in one of them. The round sheet cannot.
+  // Where the sheet is wrinkled it has no stiffness along its edge: with a line that softens no equilibrium of
+  // triangles was found from 10 to 20 Å on, whatever the stress. The round sheet has one.
   Problem triangles = pulled(levels), meridian = on_meridian(levels, true);
   triangles.edge = {-1.5, 25};
   meridian.edge = {-1.5, -25};

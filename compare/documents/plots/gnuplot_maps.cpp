@@ -11,7 +11,7 @@
 namespace validate {
 namespace {
 
-constexpr int bands = 16;  // of equal value
+constexpr int bands = 12;  // of equal value
 
 struct Corner {
   Eigen::Vector3d at;

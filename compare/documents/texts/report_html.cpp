@@ -68,7 +68,9 @@ std::string provenance(const Result& result) {
   add("potential file", p.potential_file);
   add("SHA-256", p.potential_sha256);
   if (std::isfinite(result.timing.wall_s)) add("wall time", fmt::format("{:.1f} s", result.timing.wall_s));
-  text += "</dl>\n<p class=\"soft\">Everything at T = 0, without adhesion and without slip at the clamp.</p>\n";
+  text += fmt::format(
+      "</dl>\n<p class=\"soft\">Everything at T = 0{}, without adhesion and without slip at the clamp.</p>\n",
+      result.resolved.temperature_K > 0 ? " but what is said of the temperature asked for" : "");
   text += "<h2>How to make this again</h2>\n<pre>" + html::escaped(p.command_line) +
           "\nvalidate report run.h5    # this page, without computing</pre>\n";
   if (!result.is_experiment()) return text;

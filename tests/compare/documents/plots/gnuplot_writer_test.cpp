@@ -138,14 +138,14 @@ TEST(GnuplotWriter, ValuesAtCornersAreDrawnInBandsThatCoverTheTriangle) {
   }
   ASSERT_EQ(points.size() % 4, 0u);
   const std::size_t pieces = points.size() / 4;
-  ASSERT_EQ(pieces, 16u);
+  ASSERT_EQ(pieces, 12u);
   double area = 0;
   for (std::size_t k = 0; k < pieces; ++k) {
     const auto &a = points[2 * k], &b = points[2 * k + 1], &d = points[2 * (pieces + k)],
                &c = points[2 * (pieces + k) + 1];
     area += 0.5 * std::abs((c[0] - a[0]) * (d[1] - b[1]) - (d[0] - b[0]) * (c[1] - a[1]));
-    EXPECT_NEAR(a[3], (static_cast<double>(k) + 0.5) / 8, 1e-5) << "the middle of its band";
-    for (const auto& corner : {a, b, c, d}) EXPECT_NEAR(corner[0] / 8, a[3], 1.0 / 16 + 1e-5);
+    EXPECT_NEAR(a[3], (static_cast<double>(k) + 0.5) / 6, 1e-5) << "the middle of its band";
+    for (const auto& corner : {a, b, c, d}) EXPECT_NEAR(corner[0] / 8, a[3], 1.0 / 12 + 1e-5);
   }
   EXPECT_NEAR(area, 8, 1e-4);
 }
